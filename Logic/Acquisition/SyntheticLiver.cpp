@@ -1,0 +1,1 @@
+#include "Logic/Acquisition/SyntheticLiver.h"

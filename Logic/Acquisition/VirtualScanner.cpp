@@ -1,0 +1,1 @@
+#include "Logic/Acquisition/VirtualScanner.h"

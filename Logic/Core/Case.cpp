@@ -1,0 +1,81 @@
+#include "Logic/Core/Case.h"
+
+#include <utility>
+
+namespace falciform {
+
+void Case::announce(Part part) {
+  modified_ = true;
+  changed.emit(part);
+}
+
+void Case::setLabels(std::shared_ptr<const LabelMap> labels) {
+  labels_ = std::move(labels);
+  announce(Part::Labels);
+}
+
+void Case::setPreop(std::shared_ptr<const Surface> surface) {
+  preop_ = std::move(surface);
+  registrationStale_ = registration_ != nullptr;
+  announce(Part::Preop);
+  if (distance_) setDistance(nullptr);
+}
+
+void Case::setScan(std::shared_ptr<const Surface> scan) {
+  scan_ = std::move(scan);
+  registrationStale_ = registration_ != nullptr;
+  announce(Part::Scan);
+  if (distance_) setDistance(nullptr);
+}
+
+void Case::setStructure(const std::string& name, std::shared_ptr<const Surface> surface) {
+  if (surface) structures_[name] = std::move(surface);
+  else structures_.erase(name);
+  announce(Part::Structures);
+}
+
+void Case::setPreopLandmarks(Landmarks landmarks) {
+  preopLandmarks_ = std::move(landmarks);
+  announce(Part::PreopLandmarks);
+}
+
+void Case::setScanLandmarks(Landmarks landmarks) {
+  scanLandmarks_ = std::move(landmarks);
+  announce(Part::ScanLandmarks);
+}
+
+void Case::setRegistration(std::shared_ptr<const RegistrationResult> result) {
+  registration_ = std::move(result);
+  registrationStale_ = false;
+  announce(Part::Registration);
+  if (distance_) setDistance(nullptr);
+}
+
+void Case::setDistance(std::shared_ptr<const DistanceMap> map) {
+  distance_ = std::move(map);
+  announce(Part::Distance);
+}
+
+void Case::setName(std::string name) {
+  name_ = std::move(name);
+  announce(Part::Name);
+}
+
+void Case::clear() {
+  labels_.reset();
+  preop_.reset();
+  scan_.reset();
+  structures_.clear();
+  preopLandmarks_ = {};
+  scanLandmarks_ = {};
+  registration_.reset();
+  distance_.reset();
+  name_ = "Untitled";
+  registrationStale_ = false;
+  for (const Part part : {Part::Labels, Part::Preop, Part::Scan, Part::Structures, Part::PreopLandmarks,
+                          Part::ScanLandmarks, Part::Registration, Part::Distance, Part::Name})
+    changed.emit(part);
+  modified_ = false;
+}
+
+}  // namespace falciform

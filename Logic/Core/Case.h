@@ -1,0 +1,65 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "Logic/Core/Landmarks.h"
+#include "Logic/Core/Results.h"
+#include "Logic/Core/Signal.h"
+#include "Logic/Core/Surface.h"
+#include "Logic/Core/Volume.h"
+
+namespace falciform {
+
+/// The one shared document: what is known of a patient's liver before and during the operation. Touched on the main
+/// thread only; jobs hold `shared_ptr<const T>` snapshots, so there are no locks. A part that is set announces itself,
+/// and drops the results that rested on its old value.
+class Case {
+ public:
+  enum class Part { Labels, Preop, Scan, Structures, PreopLandmarks, ScanLandmarks, Registration, Distance, Name };
+
+  Signal<Part> changed;
+
+  [[nodiscard]] const std::shared_ptr<const LabelMap>& labels() const { return labels_; }
+  [[nodiscard]] const std::shared_ptr<const Surface>& preop() const { return preop_; }
+  [[nodiscard]] const std::shared_ptr<const Surface>& scan() const { return scan_; }
+  /// Vessels and tumours inside the liver, by name, pre-op LPS mm.
+  [[nodiscard]] const std::map<std::string, std::shared_ptr<const Surface>>& structures() const { return structures_; }
+  [[nodiscard]] const Landmarks& preopLandmarks() const { return preopLandmarks_; }
+  [[nodiscard]] const Landmarks& scanLandmarks() const { return scanLandmarks_; }
+  [[nodiscard]] const std::shared_ptr<const RegistrationResult>& registration() const { return registration_; }
+  [[nodiscard]] const std::shared_ptr<const DistanceMap>& distance() const { return distance_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] bool modified() const { return modified_; }
+  /// True when surface or patches changed after the registration was made: it is kept, and marked stale.
+  [[nodiscard]] bool registrationStale() const { return registrationStale_; }
+
+  void setLabels(std::shared_ptr<const LabelMap> labels);
+  void setPreop(std::shared_ptr<const Surface> surface);  ///< marks the registration stale, drops the distance map
+  void setScan(std::shared_ptr<const Surface> scan);      ///< the same
+  void setStructure(const std::string& name, std::shared_ptr<const Surface> surface);  ///< nullptr removes it
+  void setPreopLandmarks(Landmarks landmarks);
+  void setScanLandmarks(Landmarks landmarks);
+  void setRegistration(std::shared_ptr<const RegistrationResult> result);  ///< drops the distance map
+  void setDistance(std::shared_ptr<const DistanceMap> map);
+  void setName(std::string name);
+
+  /// Everything gone, as after construction; connections stay.
+  void clear();
+  /// Called after saving.
+  void setUnmodified() { modified_ = false; }
+
+ private:
+  void announce(Part part);
+
+  std::shared_ptr<const LabelMap> labels_;
+  std::shared_ptr<const Surface> preop_, scan_;
+  std::map<std::string, std::shared_ptr<const Surface>> structures_;
+  Landmarks preopLandmarks_, scanLandmarks_;
+  std::shared_ptr<const RegistrationResult> registration_;
+  std::shared_ptr<const DistanceMap> distance_;
+  std::string name_ = "Untitled";
+  bool modified_ = false, registrationStale_ = false;
+};
+
+}  // namespace falciform

@@ -1,0 +1,1 @@
+#include "Logic/Deformation/DistanceMapping.h"

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "Logic/Core/Surface.h"
+#include "Logic/Geometry/Topology.h"
+
+namespace falciform {
+
+struct GeodesicPoint {
+  int vertex = -1;
+  double distance = 0;  ///< mm along the surface
+};
+
+/// Vertices within `radius` mm of `seed` along the surface, connected to it, nearest first. Fast marching on the
+/// triangles: exact on planes, over edges only where a triangle is obtuse. `seed` is a place on triangle
+/// `seedTriangle` (start distances run straight to its corners). Only vertices for which `allowed` is not 0
+/// (empty = all) are entered.
+[[nodiscard]] std::vector<GeodesicPoint> withinGeodesicRadius(const Surface& surface, const Adjacency& trianglesOfVertex,
+                                                              int seedTriangle, const Vector3d& seed, double radius,
+                                                              const std::vector<char>& allowed = {});
+
+}  // namespace falciform

@@ -1,0 +1,1 @@
+#include "Logic/Geometry/TriangleTree.h"

@@ -1,0 +1,17 @@
+#pragma once
+#include <nlohmann/json.hpp>
+
+#include "Logic/Core/Results.h"
+
+namespace falciform {
+
+/// Units in the keys (`rms_mm`, `rotation_deg`); matrices row-major; history and basins included. NaN becomes null.
+[[nodiscard]] nlohmann::json toJson(const RegistrationResult& result);
+[[nodiscard]] RegistrationResult registrationFromJson(const nlohmann::json& json);
+[[nodiscard]] nlohmann::json toJson(const DistanceStatistics& statistics);
+/// Statistics of the map, by side and by patch; not the surfaces.
+[[nodiscard]] nlohmann::json toJson(const DistanceMap& map);
+/// One row per side and patch: "side,patch,count,mean_mm,...", C locale.
+[[nodiscard]] std::string toCsv(const DistanceMap& map);
+
+}  // namespace falciform

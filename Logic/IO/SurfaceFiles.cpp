@@ -1,0 +1,1 @@
+#include "Logic/IO/SurfaceFiles.h"

@@ -1,0 +1,1 @@
+#include "Logic/Patches/PatchPaintingLogic.h"

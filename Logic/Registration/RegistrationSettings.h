@@ -1,0 +1,77 @@
+#pragma once
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "Logic/Core/Settings.h"
+
+namespace falciform {
+
+/// Which closest-point method: each is a set of values of the one loop, not a loop of its own.
+enum class RegistrationMethod {
+  Icp,   ///< no labels (Besl and McKay 1992)
+  Wgf,   ///< labels, constant patch weight (Maurer 1998)
+  Picp,  ///< labels, patch weight relaxed by Eq. (III.3)
+};
+inline std::span<const std::string_view> enumNames(RegistrationMethod) {
+  static constexpr std::array<std::string_view, 3> names{"icp", "wgf", "picp"};
+  return names;
+}
+
+/// Where the search begins.
+enum class RegistrationStart {
+  Patches,    ///< a handful of poses from the patches' centroids and principal axes, the best kept
+  Given,      ///< the one pose given (identity unless landmarks or a file say otherwise)
+};
+inline std::span<const std::string_view> enumNames(RegistrationStart) {
+  static constexpr std::array<std::string_view, 2> names{"patches", "given"};
+  return names;
+}
+
+enum class StopRule {
+  Motion,  ///< largest point displacement < motionToleranceMm and the patch weight within 1 % of its base
+  Rms,     ///< the thesis: RMS residual changes by < rmsToleranceMm
+};
+inline std::span<const std::string_view> enumNames(StopRule) {
+  static constexpr std::array<std::string_view, 2> names{"motion", "rms"};
+  return names;
+}
+
+struct RegistrationSettings {
+  RegistrationMethod method = RegistrationMethod::Picp;
+  RegistrationStart start = RegistrationStart::Patches;
+  std::vector<int> patches;          ///< labels used; empty: all that both sides have
+  double weightMax = 1000;           ///< w_PBR,max of Eq. (III.3)
+  double weightBase = 1;             ///< w_PBR,base
+  double relaxation = 0.05;          ///< alpha of Eq. (III.3), per iteration
+  double correspondenceWeight = 1e-4;  ///< w_PC of Eq. (III.1)
+  double robustScaleMm = 0;          ///< Welsch scale of the residual weights once the patch weight has relaxed; 0: none
+  int maxIterations = 1000;
+  StopRule stop = StopRule::Motion;
+  double motionToleranceMm = 1e-3;
+  double rmsToleranceMm = 1e-4;
+};
+
+template <class Visitor>
+void describe(RegistrationSettings& s, Visitor&& field) {
+  field(FieldInfo{"method", "Method", "", 0, 0, "icp: no patches; wgf: constant patch weight; picp: patch weight relaxed as the thesis."}, s.method);
+  field(FieldInfo{"start", "Start", "", 0, 0, "patches: a handful of poses from the patches, best kept; given: one start."}, s.start);
+  field(FieldInfo{"patches", "Patches", "", 1, 255, "Patch labels to use; none means all that both sides have."}, s.patches);
+  field(FieldInfo{"weightMax", "Largest patch weight", "", 1, 1e6, "w_PBR,max: how strongly patches pull at the beginning."}, s.weightMax);
+  field(FieldInfo{"weightBase", "Base patch weight", "", 1, 1e6, "w_PBR,base: how strongly patches pull at the end."}, s.weightBase);
+  field(FieldInfo{"relaxation", "Relaxation", "", 1e-4, 1, "alpha: how fast the patch weight falls, per iteration."}, s.relaxation);
+  field(FieldInfo{"correspondenceWeight", "Correspondence weight", "", 1e-9, 1, "w_PC: how much nearer a point of the same patch counts."}, s.correspondenceWeight);
+  field(FieldInfo{"robustScaleMm", "Robust scale", "mm", 0, 100, "Residuals well beyond this count little; 0 counts all alike."}, s.robustScaleMm);
+  field(FieldInfo{"maxIterations", "Iterations", "", 1, 100000, "At most so many."}, s.maxIterations);
+  field(FieldInfo{"stop", "Stop rule", "", 0, 0, "motion: when nothing moves and the weight has relaxed; rms: the thesis's rule."}, s.stop);
+  field(FieldInfo{"motionToleranceMm", "Motion tolerance", "mm", 1e-9, 1, "Stop when no point moves farther than this."}, s.motionToleranceMm);
+  field(FieldInfo{"rmsToleranceMm", "RMS tolerance", "mm", 1e-9, 1, "Stop when the RMS residual changes by less (rms rule)."}, s.rmsToleranceMm);
+}
+
+/// "default", "thesis-phantom" (w_max 1000, alpha 0.01), "thesis-clinical" (3000, 0.005): thesis ch. III, one given start, RMS rule.
+[[nodiscard]] RegistrationSettings registrationPreset(const std::string& name);
+[[nodiscard]] std::vector<std::string> registrationPresets();
+
+}  // namespace falciform

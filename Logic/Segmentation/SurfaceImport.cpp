@@ -1,0 +1,1 @@
+#include "Logic/Segmentation/SurfaceImport.h"

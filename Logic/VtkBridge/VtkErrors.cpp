@@ -1,0 +1,1 @@
+#include "Logic/VtkBridge/VtkErrors.h"
