@@ -7,14 +7,14 @@
 
 namespace falciform {
 
-/// A point of the tree and its squared distance to the query, mm^2. index -1: none within the bound.
+/// A point of the tree and its squared distance to the query, mm^2. Index -1: none within the bound.
 struct Neighbour {
   int index = -1;
   double squaredDistance = std::numeric_limits<double>::infinity();
 };
 
-/// Exact nearest neighbours among N points. Ties go to the lowest index, so that answers equal brute force bit for bit.
-/// Immutable after construction; any number of threads may ask.
+/// Exact nearest neighbours among N points. Ties go to the lowest index, so that answers equal brute force bit for bit
+/// (Docs/Decisions/OwnKdTree.md says why it is not FLANN's). Immutable after construction; any number of threads may ask.
 class KdTree {
  public:
   KdTree() = default;
@@ -26,9 +26,12 @@ class KdTree {
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] int size() const { return size_; }
 
-  /// The nearest point with squared distance < `squaredBound` (or == it at a lower index than `notBefore`).
+  /// The nearest point with squared distance < `squaredBound`.
   [[nodiscard]] Neighbour nearest(const Vector3d& query,
                                   double squaredBound = std::numeric_limits<double>::infinity()) const;
+  /// The nearest point, given one that may be near: `guess.index` a row of the tree's points and
+  /// `guess.squaredDistance` its squared distance to `query`. The answer is that of nearest(query), sooner.
+  [[nodiscard]] Neighbour nearest(const Vector3d& query, const Neighbour& guess) const;
   /// The k nearest, nearest first (ties by index); fewer if the tree is smaller.
   [[nodiscard]] std::vector<Neighbour> nearest(const Vector3d& query, int k) const;
   /// All points with distance <= radius, ascending by index.
@@ -39,5 +42,11 @@ class KdTree {
   std::shared_ptr<const Tree> tree_;
   int size_ = 0;
 };
+
+/// Squared distance as the tree computes it, so that callers' comparisons agree with its ties.
+[[nodiscard]] inline double squaredDistance(const Vector3d& a, const Vector3d& b) {
+  const double x = a.x() - b.x(), y = a.y() - b.y(), z = a.z() - b.z();
+  return x * x + y * y + z * z;
+}
 
 }  // namespace falciform
