@@ -9,10 +9,10 @@ namespace falciform {
 /// What a mesh is: closed, open, manifold, in how many pieces.
 struct TopologyReport {
   Index points = 0, triangles = 0;
-  int components = 0;          ///< by shared vertices, unused points not counted
-  Index boundaryEdges = 0;     ///< edges of one triangle
-  Index nonManifoldEdges = 0;  ///< edges of three or more triangles
-  Index flippedEdges = 0;      ///< edges whose two triangles run the same way
+  int components = 0;             ///< by shared vertices, unused points not counted
+  Index boundaryEdges = 0;        ///< edges of one triangle
+  Index nonManifoldEdges = 0;     ///< edges of three or more triangles
+  Index flippedEdges = 0;         ///< edges whose two triangles run the same way
   Index nonManifoldVertices = 0;  ///< vertices whose triangles do not form one fan
   Index degenerateTriangles = 0;  ///< two equal vertex ids
   Index unusedPoints = 0;
@@ -30,7 +30,9 @@ struct TopologyReport {
 /// Compressed lists: items of i are values[start[i]] .. values[start[i + 1] - 1].
 struct Adjacency {
   std::vector<int> start, values;
-  [[nodiscard]] int count(int i) const { return start[static_cast<std::size_t>(i) + 1] - start[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] int count(int i) const {
+    return start[static_cast<std::size_t>(i) + 1] - start[static_cast<std::size_t>(i)];
+  }
   [[nodiscard]] const int* begin(int i) const { return values.data() + start[static_cast<std::size_t>(i)]; }
   [[nodiscard]] const int* end(int i) const { return values.data() + start[static_cast<std::size_t>(i) + 1]; }
 };
@@ -41,7 +43,7 @@ struct Adjacency {
 
 /// Rows `keep` (ascending ids) of all point data; triangles with all three corners kept, re-indexed.
 [[nodiscard]] Surface subset(const Surface& surface, const std::vector<int>& keep);
-/// The piece with the largest area, unused points dropped.
+/// The piece (by shared vertices) with the largest area, unused points dropped; a cloud is returned as it is.
 [[nodiscard]] Surface largestPiece(const Surface& surface);
 
 }  // namespace falciform
