@@ -29,8 +29,10 @@ void Case::setScan(std::shared_ptr<const Surface> scan) {
 }
 
 void Case::setStructure(const std::string& name, std::shared_ptr<const Surface> surface) {
-  if (surface) structures_[name] = std::move(surface);
-  else structures_.erase(name);
+  if (surface)
+    structures_[name] = std::move(surface);
+  else
+    structures_.erase(name);
   announce(Part::Structures);
 }
 

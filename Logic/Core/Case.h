@@ -11,12 +11,22 @@
 
 namespace falciform {
 
-/// The one shared document: what is known of a patient's liver before and during the operation. Touched on the main
-/// thread only; jobs hold `shared_ptr<const T>` snapshots, so there are no locks. A part that is set announces itself,
-/// and drops the results that rested on its old value.
+/// The one shared document: what is known of a patient's liver before and during the operation. Touched on
+/// the main thread only; jobs hold `shared_ptr<const T>` snapshots, so there are no locks. A part that is set
+/// announces itself, and drops the results that rested on its old value.
 class Case {
  public:
-  enum class Part { Labels, Preop, Scan, Structures, PreopLandmarks, ScanLandmarks, Registration, Distance, Name };
+  enum class Part {
+    Labels,
+    Preop,
+    Scan,
+    Structures,
+    PreopLandmarks,
+    ScanLandmarks,
+    Registration,
+    Distance,
+    Name
+  };
 
   Signal<Part> changed;
 
@@ -24,10 +34,14 @@ class Case {
   [[nodiscard]] const std::shared_ptr<const Surface>& preop() const { return preop_; }
   [[nodiscard]] const std::shared_ptr<const Surface>& scan() const { return scan_; }
   /// Vessels and tumours inside the liver, by name, pre-op LPS mm.
-  [[nodiscard]] const std::map<std::string, std::shared_ptr<const Surface>>& structures() const { return structures_; }
+  [[nodiscard]] const std::map<std::string, std::shared_ptr<const Surface>>& structures() const {
+    return structures_;
+  }
   [[nodiscard]] const Landmarks& preopLandmarks() const { return preopLandmarks_; }
   [[nodiscard]] const Landmarks& scanLandmarks() const { return scanLandmarks_; }
-  [[nodiscard]] const std::shared_ptr<const RegistrationResult>& registration() const { return registration_; }
+  [[nodiscard]] const std::shared_ptr<const RegistrationResult>& registration() const {
+    return registration_;
+  }
   [[nodiscard]] const std::shared_ptr<const DistanceMap>& distance() const { return distance_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool modified() const { return modified_; }
@@ -35,8 +49,9 @@ class Case {
   [[nodiscard]] bool registrationStale() const { return registrationStale_; }
 
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  void setPreop(std::shared_ptr<const Surface> surface);  ///< marks the registration stale, drops the distance map
-  void setScan(std::shared_ptr<const Surface> scan);      ///< the same
+  void setPreop(
+      std::shared_ptr<const Surface> surface);  ///< marks the registration stale, drops the distance map
+  void setScan(std::shared_ptr<const Surface> scan);                                   ///< the same
   void setStructure(const std::string& name, std::shared_ptr<const Surface> surface);  ///< nullptr removes it
   void setPreopLandmarks(Landmarks landmarks);
   void setScanLandmarks(Landmarks landmarks);

@@ -34,7 +34,8 @@ int threads() {
   return chosen == 0 ? cores() : chosen;
 }
 
-void forEachChunk(std::size_t count, std::size_t chunk, const std::function<void(std::size_t, std::size_t)>& body) {
+void forEachChunk(std::size_t count, std::size_t chunk,
+                  const std::function<void(std::size_t, std::size_t)>& body) {
   chunk = std::max<std::size_t>(chunk, 1);
   const std::size_t chunks = (count + chunk - 1) / chunk;
   const auto one = [&](std::size_t c) { body(c * chunk, std::min(count, (c + 1) * chunk)); };
@@ -42,11 +43,12 @@ void forEachChunk(std::size_t count, std::size_t chunk, const std::function<void
     for (std::size_t c = 0; c < chunks; ++c) one(c);
     return;
   }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks, 1),
-                    [&](const tbb::blocked_range<std::size_t>& range) {
-                      for (std::size_t c = range.begin(); c != range.end(); ++c) one(c);
-                    },
-                    tbb::simple_partitioner());
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, chunks, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t c = range.begin(); c != range.end(); ++c) one(c);
+      },
+      tbb::simple_partitioner());
 }
 
 }  // namespace falciform

@@ -8,9 +8,10 @@ namespace falciform {
 void setThreads(int count);
 [[nodiscard]] int threads();
 
-/// Calls `body(begin, end)` for [0, count) cut into chunks of `chunk` items, on up to threads() threads. The cut depends
-/// on `count` and `chunk` alone, so a result assembled chunk by chunk does not depend on the number of threads.
-/// An exception from a body is rethrown here.
-void forEachChunk(std::size_t count, std::size_t chunk, const std::function<void(std::size_t begin, std::size_t end)>& body);
+/// Calls `body(begin, end)` for [0, count) cut into chunks of `chunk` items, on up to threads() threads. The
+/// cut depends on `count` and `chunk` alone, so a result assembled chunk by chunk does not depend on the
+/// number of threads. An exception from a body is rethrown here.
+void forEachChunk(std::size_t count, std::size_t chunk,
+                  const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 }  // namespace falciform

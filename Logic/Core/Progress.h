@@ -12,8 +12,8 @@ class Cancelled : public std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Reports how far a long computation has come, and stops it on request. Cheap to copy; any thread may hold one,
-/// one thread at a time may report.
+/// Reports how far a long computation has come, and stops it on request. Cheap to copy; any thread may hold
+/// one, one thread at a time may report.
 class Progress {
  public:
   /// Receives the fraction done, in [0, 1] of the whole job, and a short stage text.

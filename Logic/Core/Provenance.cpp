@@ -17,7 +17,8 @@ std::string utcNow() {
 
 nlohmann::json toJson(const Provenance& provenance) {
   nlohmann::json inputs = nlohmann::json::array();
-  for (const auto& [file, digest] : provenance.inputSha256) inputs.push_back({{"file", file}, {"sha256", digest}});
+  for (const auto& [file, digest] : provenance.inputSha256)
+    inputs.push_back({{"file", file}, {"sha256", digest}});
   return {{"program", "falciform"},
           {"version", kVersion},
           {"started_utc", provenance.startedUtc},

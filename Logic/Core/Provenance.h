@@ -8,8 +8,8 @@ namespace falciform {
 
 /// How a result came to be: what every JSON sidecar carries. No patient identity ever.
 struct Provenance {
-  std::string command;                  ///< the command line as typed, or "window"
-  std::string startedUtc;               ///< ISO 8601
+  std::string command;     ///< the command line as typed, or "window"
+  std::string startedUtc;  ///< ISO 8601
   std::uint64_t seed = 0;
   int threads = 0;
   std::vector<std::pair<std::string, std::string>> inputSha256;  ///< file name (no folders) and digest

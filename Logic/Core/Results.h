@@ -12,25 +12,26 @@ namespace falciform {
 
 /// One iteration of a registration, for curves and reports.
 struct IterationRecord {
-  int iteration = 0;           ///< 1-based
-  double rmsMm = 0;            ///< unweighted RMS of the closest-point distances before the step
-  double patchWeight = 1;      ///< w_PBR of Eq. (III.3)
-  double motionMm = 0;         ///< largest displacement of a scan point in this step
+  int iteration = 0;       ///< 1-based
+  double rmsMm = 0;        ///< unweighted RMS of the closest-point distances before the step
+  double patchWeight = 1;  ///< w_PBR of Eq. (III.3)
+  double motionMm = 0;     ///< largest displacement of a scan point in this step
   Isometry3d preopFromScan = Isometry3d::Identity();  ///< pose after the step
 };
 
 /// A pose that some starts led to: one local minimum of the robust residual.
 struct RegistrationBasin {
   Isometry3d scanFromPreop = Isometry3d::Identity();
-  double robustResidualMm = 0;  ///< the score that ranks basins, lower is better
-  int starts = 0;               ///< how many starts ended here
+  double score =
+      0;  ///< robust residual in [0, 1], lower is better (StartPose, Logic/Registration/PatchStarts.h)
+  int starts = 0;  ///< how many starts ended here
 };
 
 /// Where the scan lies on the pre-operative surface. Residuals are *fit*, not target error.
 struct RegistrationResult {
   Isometry3d scanFromPreop = Isometry3d::Identity();  ///< maps pre-op LPS mm to scan mm
-  double rmsMm = 0;          ///< unweighted RMS over all scan points, real distances
-  double weightedRmsMm = 0;  ///< with the patch weights of the last iteration
+  double rmsMm = 0;                                   ///< unweighted RMS over all scan points, real distances
+  double weightedRmsMm = 0;                           ///< with the patch weights of the last iteration
   double meanMm = 0, p95Mm = 0;
   std::map<int, double> patchRmsMm;  ///< per label: scan patch points to the same label of the pre-op surface
   double coverage = 0;       ///< share of the pre-op surface's area within reach of the scan, in [0, 1]
@@ -38,7 +39,7 @@ struct RegistrationResult {
   double translationMm = 0;  ///< of the scan's centroid against the given start
   int iterations = 0;
   bool converged = false;
-  std::string stopReason;    ///< in words
+  std::string stopReason;                 ///< in words
   std::vector<IterationRecord> history;   ///< of the start that won
   std::vector<RegistrationBasin> basins;  ///< best first; the result's own pose is basins[0]
   std::vector<std::string> warnings;      ///< in plain words
@@ -48,18 +49,19 @@ struct RegistrationResult {
 
 /// Mean, spread and range of a set of distances. All mm; NaN when there is no value.
 struct DistanceStatistics {
-  Index count = 0;           ///< covered values
+  Index count = 0;  ///< covered values
   double mean = 0, sd = 0, median = 0, p95Absolute = 0, min = 0, max = 0, rms = 0, meanAbsolute = 0;
 };
 
-/// Signed distance between the two surfaces, on both sides: positive where the intra-operative surface lies outside
-/// the pre-operative one; NaN where the scan does not reach. Array name on both: `signed_distance_mm`.
+/// Signed distance between the two surfaces, on both sides: positive where the intra-operative surface lies
+/// outside the pre-operative one; NaN where the scan does not reach. Array name on both:
+/// `signed_distance_mm`.
 struct DistanceMap {
-  Surface preop;             ///< pre-op surface moved into the scan's frame, with the array
-  Surface scan;              ///< scan with the array
+  Surface preop;  ///< pre-op surface moved into the scan's frame, with the array
+  Surface scan;   ///< scan with the array
   DistanceStatistics preopAll, scanAll;
   std::map<int, DistanceStatistics> preopByPatch, scanByPatch;  ///< by label
-  double coverage = 0;       ///< covered share of the pre-op surface's area, in [0, 1]
+  double coverage = 0;  ///< covered share of the pre-op surface's area, in [0, 1]
 };
 
 inline constexpr char kSignedDistance[] = "signed_distance_mm";

@@ -16,13 +16,15 @@ std::string listOfNames(std::span<const std::string_view> names) {
 void checkRange(const FieldInfo& info, double value) {
   if (value >= info.min && value <= info.max) return;  // false for NaN
   std::ostringstream message;
-  message << info.key << " is " << value << (info.unit.empty() ? "" : " ") << info.unit << "; it must lie in [" << info.min
-          << ", " << info.max << "]" << (info.unit.empty() ? "" : " ") << info.unit;
+  message << info.key << " is " << value << (info.unit.empty() ? "" : " ") << info.unit
+          << "; it must lie in [" << info.min << ", " << info.max << "]" << (info.unit.empty() ? "" : " ")
+          << info.unit;
   throw InputError(message.str());
 }
 
 void refuseJson(const FieldInfo& info, const nlohmann::json& found, std::string_view expected) {
-  throw InputError("setting " + std::string(info.key) + " is " + found.dump() + "; it must be " + std::string(expected));
+  throw InputError("setting " + std::string(info.key) + " is " + found.dump() + "; it must be " +
+                   std::string(expected));
 }
 
 }  // namespace falciform

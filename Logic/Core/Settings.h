@@ -13,14 +13,14 @@ namespace falciform {
 
 /// What a user needs to know of one setting. Every settings struct S has one
 ///   template <class Visitor> void describe(S& s, Visitor&& field) { field(FieldInfo{...}, s.member); ... }
-/// beside it; JSON, range checks, command-line flags, Slicer's XML description and the panel's form all come from it.
-/// Members may be bool, int, double, std::string, std::vector<int>, or an enum with `enumNames(E)`.
+/// beside it; JSON, range checks, command-line flags, Slicer's XML description and the panel's form all come
+/// from it. Members may be bool, int, double, std::string, std::vector<int>, or an enum with `enumNames(E)`.
 struct FieldInfo {
-  std::string_view key;    ///< camelCase, as in JSON; `--kebab-case` on the command line
-  std::string_view label;  ///< as on screen
-  std::string_view unit;   ///< "mm", "deg", "" for a pure number
-  double min = 0, max = 0; ///< range of a number, both ends allowed; ignored for other types
-  std::string_view help;   ///< one sentence
+  std::string_view key;     ///< camelCase, as in JSON; `--kebab-case` on the command line
+  std::string_view label;   ///< as on screen
+  std::string_view unit;    ///< "mm", "deg", "" for a pure number
+  double min = 0, max = 0;  ///< range of a number, both ends allowed; ignored for other types
+  std::string_view help;    ///< one sentence
 };
 
 /// The names of an enum's values, in order from 0: found by argument-dependent look-up beside each enum.
@@ -53,7 +53,8 @@ void checkRange(const FieldInfo& info, double value);
 template <class S>
 void checkSettings(S settings) {
   describe(settings, []<class T>(const FieldInfo& info, T& value) {
-    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) checkRange(info, static_cast<double>(value));
+    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>)
+      checkRange(info, static_cast<double>(value));
   });
 }
 
@@ -61,8 +62,10 @@ template <class S>
 [[nodiscard]] nlohmann::json settingsToJson(S settings) {
   nlohmann::json json = nlohmann::json::object();
   describe(settings, [&]<class T>(const FieldInfo& info, T& value) {
-    if constexpr (NamedEnum<T>) json[std::string(info.key)] = enumToString(value);
-    else json[std::string(info.key)] = value;
+    if constexpr (NamedEnum<T>)
+      json[std::string(info.key)] = enumToString(value);
+    else
+      json[std::string(info.key)] = value;
   });
   return json;
 }
@@ -70,7 +73,8 @@ template <class S>
 /// Throws InputError for a value of the wrong kind: `key` and what was expected.
 [[noreturn]] void refuseJson(const FieldInfo& info, const nlohmann::json& found, std::string_view expected);
 
-/// Defaults overlaid with the keys found in `json`. Throws InputError for unknown keys, wrong kinds and values out of range.
+/// Defaults overlaid with the keys found in `json`. Throws InputError for unknown keys, wrong kinds and
+/// values out of range.
 template <class S>
 [[nodiscard]] S settingsFromJson(const nlohmann::json& json, S settings = {}) {
   if (!json.is_object()) throw InputError("settings must be a JSON object {\"key\": value, ...}");
@@ -102,8 +106,11 @@ template <class S>
   });
   for (const auto& [key, unused] : json.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw InputError("settings have no key '" + key + "'; the keys are " +
-                       [&] { std::string all; for (const auto& k : known) all += (all.empty() ? "" : ", ") + k; return all; }());
+      throw InputError("settings have no key '" + key + "'; the keys are " + [&] {
+        std::string all;
+        for (const auto& k : known) all += (all.empty() ? "" : ", ") + k;
+        return all;
+      }());
   checkSettings(settings);
   return settings;
 }

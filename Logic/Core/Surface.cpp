@@ -7,7 +7,8 @@
 namespace falciform {
 
 std::string patchName(const Surface& surface, int label) {
-  if (const auto named = surface.patchNames.find(label); named != surface.patchNames.end()) return named->second;
+  if (const auto named = surface.patchNames.find(label); named != surface.patchNames.end())
+    return named->second;
   if (label == patch::kNone) return "none";
   if (label == patch::kFalciform) return "falciform";
   if (label == patch::kInferiorRidge) return "inferior ridge";
@@ -28,7 +29,8 @@ std::vector<int> patchLabels(const Surface& surface) {
 }
 
 Points transformed(const Points& points, const Isometry3d& targetFromSource) {
-  return (points * targetFromSource.linear().transpose()).rowwise() + targetFromSource.translation().transpose();
+  return (points * targetFromSource.linear().transpose()).rowwise() +
+         targetFromSource.translation().transpose();
 }
 
 Surface transformed(const Surface& surface, const Isometry3d& targetFromSource, const std::string& frame) {
@@ -44,7 +46,8 @@ void checkSurface(const Surface& surface, const std::string& what) {
   if (!surface.points.allFinite())
     throw InputError(what + ": some coordinates are not finite numbers; export the surface again");
   if (surface.triangles.size() > 0 && (surface.triangles.minCoeff() < 0 || surface.triangles.maxCoeff() >= n))
-    throw InputError(what + ": a triangle names a point outside 0.." + std::to_string(n - 1) + "; the file is damaged");
+    throw InputError(what + ": a triangle names a point outside 0.." + std::to_string(n - 1) +
+                     "; the file is damaged");
   const auto expect = [&](Index rows, const std::string& name) {
     if (rows != 0 && rows != n)
       throw InputError(what + ": array '" + name + "' has " + std::to_string(rows) + " values for " +
@@ -56,7 +59,8 @@ void checkSurface(const Surface& surface, const std::string& what) {
   for (const auto& [name, values] : surface.arrays) expect(values.size(), name);
   for (const int label : surface.patch)
     if (label < 0 || label > patch::kMax)
-      throw InputError(what + ": patch label " + std::to_string(label) + " lies outside 0..255; relabel the patch");
+      throw InputError(what + ": patch label " + std::to_string(label) +
+                       " lies outside 0..255; relabel the patch");
 }
 
 }  // namespace falciform

@@ -9,13 +9,15 @@ namespace falciform {
 /// A regular grid of voxels, first index fastest. World is patient LPS, mm.
 template <class T>
 struct Volume {
-  Vector3i size = Vector3i::Zero();                  ///< voxels along i, j, k
-  Matrix4d worldFromIndex = Matrix4d::Identity();    ///< LPS mm of a voxel's *centre*; may be oblique or left-handed
-  std::vector<T> voxels;                             ///< size.prod() values, i fastest
+  Vector3i size = Vector3i::Zero();  ///< voxels along i, j, k
+  Matrix4d worldFromIndex =
+      Matrix4d::Identity();  ///< LPS mm of a voxel's *centre*; may be oblique or left-handed
+  std::vector<T> voxels;     ///< size.prod() values, i fastest
 
   [[nodiscard]] std::size_t offset(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size.y()) + static_cast<std::size_t>(j)) *
-               static_cast<std::size_t>(size.x()) + static_cast<std::size_t>(i);
+               static_cast<std::size_t>(size.x()) +
+           static_cast<std::size_t>(i);
   }
   [[nodiscard]] const T& at(int i, int j, int k) const { return voxels[offset(i, j, k)]; }
   [[nodiscard]] T& at(int i, int j, int k) { return voxels[offset(i, j, k)]; }
@@ -23,7 +25,9 @@ struct Volume {
     return (worldFromIndex * index.homogeneous()).template head<3>();
   }
   [[nodiscard]] Vector3d spacing() const { return worldFromIndex.topLeftCorner<3, 3>().colwise().norm(); }
-  [[nodiscard]] double voxelVolume() const { return std::abs(worldFromIndex.topLeftCorner<3, 3>().determinant()); }
+  [[nodiscard]] double voxelVolume() const {
+    return std::abs(worldFromIndex.topLeftCorner<3, 3>().determinant());
+  }
 };
 
 using LabelMap = Volume<std::uint16_t>;  ///< 0 is background

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kLeafSize = 8;
 
-/// A node's box is cut at `lower` (where its left half ends) and `upper` (where its right half begins) along `axis`.
-/// A leaf has axis -1 and holds the entries [left, right).
+/// A node's box is cut at `lower` (where its left half ends) and `upper` (where its right half begins) along
+/// `axis`. A leaf has axis -1 and holds the entries [left, right).
 struct Node {
   double lower = 0, upper = 0;
   int left = 0, right = 0;
@@ -23,7 +23,9 @@ struct Entry {
   int index = 0;
 };
 
-double coordinate(const Entry& entry, int axis) { return axis == 0 ? entry.x : axis == 1 ? entry.y : entry.z; }
+double coordinate(const Entry& entry, int axis) {
+  return axis == 0 ? entry.x : axis == 1 ? entry.y : entry.z;
+}
 
 bool nearer(double squared, int index, const Neighbour& than) {
   return squared < than.squaredDistance || (squared == than.squaredDistance && index < than.index);
@@ -74,9 +76,9 @@ struct KdTree::Tree {
     return id;
   }
 
-  /// Visits leaves that may hold a point with squared distance <= `bound()`, near side first. `gaps` are the squared
-  /// distances from the query to the node's box along each axis. Their sum is formed anew in the order that
-  /// squaredDistance uses, so that rounding can never make a box seem farther than a point in it.
+  /// Visits leaves that may hold a point with squared distance <= `bound()`, near side first. `gaps` are the
+  /// squared distances from the query to the node's box along each axis. Their sum is formed anew in the
+  /// order that squaredDistance uses, so that rounding can never make a box seem farther than a point in it.
   template <class Bound, class Leaf>
   void visit(int id, const std::array<double, 3>& query, std::array<double, 3> gaps, const Bound& bound,
              const Leaf& leaf) const {
@@ -111,14 +113,15 @@ struct KdTree::Tree {
   }
 
   void improve(const Vector3d& query, Neighbour& best) const {
-    search(query, [&] { return best.squaredDistance; },
-           [&](const Entry* entry, const Entry* end) {
-             for (; entry != end; ++entry) {
-               const double x = query.x() - entry->x, y = query.y() - entry->y, z = query.z() - entry->z;
-               const double squared = x * x + y * y + z * z;
-               if (nearer(squared, entry->index, best)) best = {entry->index, squared};
-             }
-           });
+    search(
+        query, [&] { return best.squaredDistance; },
+        [&](const Entry* entry, const Entry* end) {
+          for (; entry != end; ++entry) {
+            const double x = query.x() - entry->x, y = query.y() - entry->y, z = query.z() - entry->z;
+            const double squared = x * x + y * y + z * z;
+            if (nearer(squared, entry->index, best)) best = {entry->index, squared};
+          }
+        });
   }
 };
 
@@ -156,21 +159,27 @@ std::vector<Neighbour> KdTree::nearest(const Vector3d& query, int k) const {
   std::vector<Neighbour> found;
   if (!tree_ || k <= 0) return found;
   const auto wanted = static_cast<std::size_t>(k);
-  const auto order = [](const Neighbour& a, const Neighbour& b) { return nearer(a.squaredDistance, a.index, b); };
-  tree_->search(query,
-                [&] { return found.size() < wanted ? std::numeric_limits<double>::infinity() : found.front().squaredDistance; },
-                [&](const Entry* entry, const Entry* end) {
-                  for (; entry != end; ++entry) {
-                    const Neighbour candidate{entry->index, squaredDistance(query, {entry->x, entry->y, entry->z})};
-                    if (found.size() == wanted) {
-                      if (!order(candidate, found.front())) continue;
-                      std::pop_heap(found.begin(), found.end(), order);
-                      found.pop_back();
-                    }
-                    found.push_back(candidate);
-                    std::push_heap(found.begin(), found.end(), order);
-                  }
-                });
+  const auto order = [](const Neighbour& a, const Neighbour& b) {
+    return nearer(a.squaredDistance, a.index, b);
+  };
+  tree_->search(
+      query,
+      [&] {
+        return found.size() < wanted ? std::numeric_limits<double>::infinity()
+                                     : found.front().squaredDistance;
+      },
+      [&](const Entry* entry, const Entry* end) {
+        for (; entry != end; ++entry) {
+          const Neighbour candidate{entry->index, squaredDistance(query, {entry->x, entry->y, entry->z})};
+          if (found.size() == wanted) {
+            if (!order(candidate, found.front())) continue;
+            std::pop_heap(found.begin(), found.end(), order);
+            found.pop_back();
+          }
+          found.push_back(candidate);
+          std::push_heap(found.begin(), found.end(), order);
+        }
+      });
   std::sort_heap(found.begin(), found.end(), order);
   return found;
 }
@@ -179,11 +188,12 @@ std::vector<int> KdTree::within(const Vector3d& query, double radius) const {
   std::vector<int> found;
   if (!tree_ || !(radius >= 0)) return found;
   const double bound = radius * radius;
-  tree_->search(query, [&] { return bound; },
-                [&](const Entry* entry, const Entry* end) {
-                  for (; entry != end; ++entry)
-                    if (squaredDistance(query, {entry->x, entry->y, entry->z}) <= bound) found.push_back(entry->index);
-                });
+  tree_->search(
+      query, [&] { return bound; },
+      [&](const Entry* entry, const Entry* end) {
+        for (; entry != end; ++entry)
+          if (squaredDistance(query, {entry->x, entry->y, entry->z}) <= bound) found.push_back(entry->index);
+      });
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -13,8 +13,9 @@ struct Neighbour {
   double squaredDistance = std::numeric_limits<double>::infinity();
 };
 
-/// Exact nearest neighbours among N points. Ties go to the lowest index, so that answers equal brute force bit for bit
-/// (Docs/Decisions/OwnKdTree.md says why it is not FLANN's). Immutable after construction; any number of threads may ask.
+/// Exact nearest neighbours among N points. Ties go to the lowest index, so that answers equal brute force
+/// bit for bit (Docs/Decisions/OwnKdTree.md says why it is not FLANN's). Immutable after construction; any
+/// number of threads may ask.
 class KdTree {
  public:
   KdTree() = default;

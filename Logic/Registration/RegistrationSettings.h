@@ -22,8 +22,8 @@ inline std::span<const std::string_view> enumNames(RegistrationMethod) {
 
 /// Where the search begins.
 enum class RegistrationStart {
-  Patches,    ///< a handful of poses from the patches' centroids and principal axes, the best kept
-  Given,      ///< the one pose given (identity unless landmarks or a file say otherwise)
+  Patches,  ///< a handful of poses from the patches' centroids and principal axes, the best kept
+  Given,    ///< the one pose given (identity unless landmarks or a file say otherwise)
 };
 inline std::span<const std::string_view> enumNames(RegistrationStart) {
   static constexpr std::array<std::string_view, 2> names{"patches", "given"};
@@ -42,12 +42,13 @@ inline std::span<const std::string_view> enumNames(StopRule) {
 struct RegistrationSettings {
   RegistrationMethod method = RegistrationMethod::Picp;
   RegistrationStart start = RegistrationStart::Patches;
-  std::vector<int> patches;          ///< labels used; empty: all that both sides have
-  double weightMax = 1000;           ///< w_PBR,max of Eq. (III.3)
-  double weightBase = 1;             ///< w_PBR,base
-  double relaxation = 0.05;          ///< alpha of Eq. (III.3), per iteration
+  std::vector<int> patches;            ///< labels used; empty: all that both sides have
+  double weightMax = 1000;             ///< w_PBR,max of Eq. (III.3)
+  double weightBase = 1;               ///< w_PBR,base
+  double relaxation = 0.05;            ///< alpha of Eq. (III.3), per iteration
   double correspondenceWeight = 1e-4;  ///< w_PC of Eq. (III.1)
-  double robustScaleMm = 0;          ///< Welsch scale of the residual weights once the patch weight has relaxed; 0: none
+  double robustScaleMm =
+      10;  ///< Welsch scale of the residual weights, never below 3 median residuals; 0: none
   int maxIterations = 1000;
   StopRule stop = StopRule::Motion;
   double motionToleranceMm = 1e-3;
@@ -56,21 +57,44 @@ struct RegistrationSettings {
 
 template <class Visitor>
 void describe(RegistrationSettings& s, Visitor&& field) {
-  field(FieldInfo{"method", "Method", "", 0, 0, "icp: no patches; wgf: constant patch weight; picp: patch weight relaxed as the thesis."}, s.method);
-  field(FieldInfo{"start", "Start", "", 0, 0, "patches: a handful of poses from the patches, best kept; given: one start."}, s.start);
-  field(FieldInfo{"patches", "Patches", "", 1, 255, "Patch labels to use; none means all that both sides have."}, s.patches);
-  field(FieldInfo{"weightMax", "Largest patch weight", "", 1, 1e6, "w_PBR,max: how strongly patches pull at the beginning."}, s.weightMax);
-  field(FieldInfo{"weightBase", "Base patch weight", "", 1, 1e6, "w_PBR,base: how strongly patches pull at the end."}, s.weightBase);
-  field(FieldInfo{"relaxation", "Relaxation", "", 1e-4, 1, "alpha: how fast the patch weight falls, per iteration."}, s.relaxation);
-  field(FieldInfo{"correspondenceWeight", "Correspondence weight", "", 1e-9, 1, "w_PC: how much nearer a point of the same patch counts."}, s.correspondenceWeight);
-  field(FieldInfo{"robustScaleMm", "Robust scale", "mm", 0, 100, "Residuals well beyond this count little; 0 counts all alike."}, s.robustScaleMm);
+  field(FieldInfo{"method", "Method", "", 0, 0,
+                  "icp: no patches; wgf: constant patch weight; picp: patch weight relaxed as the thesis."},
+        s.method);
+  field(FieldInfo{"start", "Start", "", 0, 0,
+                  "patches: a handful of poses from the patches, best kept; given: one start."},
+        s.start);
+  field(FieldInfo{"patches", "Patches", "", 1, 255,
+                  "Patch labels to use; none means all that both sides have."},
+        s.patches);
+  field(FieldInfo{"weightMax", "Largest patch weight", "", 1, 1e6,
+                  "w_PBR,max: how strongly patches pull at the beginning."},
+        s.weightMax);
+  field(FieldInfo{"weightBase", "Base patch weight", "", 1, 1e6,
+                  "w_PBR,base: how strongly patches pull at the end."},
+        s.weightBase);
+  field(FieldInfo{"relaxation", "Relaxation", "", 1e-4, 1,
+                  "alpha: how fast the patch weight falls, per iteration."},
+        s.relaxation);
+  field(FieldInfo{"correspondenceWeight", "Correspondence weight", "", 1e-9, 1,
+                  "w_PC: how much nearer a point of the same patch counts."},
+        s.correspondenceWeight);
+  field(FieldInfo{"robustScaleMm", "Robust scale", "mm", 0, 100,
+                  "Residuals well beyond this count little; 0 counts all alike."},
+        s.robustScaleMm);
   field(FieldInfo{"maxIterations", "Iterations", "", 1, 100000, "At most so many."}, s.maxIterations);
-  field(FieldInfo{"stop", "Stop rule", "", 0, 0, "motion: when nothing moves and the weight has relaxed; rms: the thesis's rule."}, s.stop);
-  field(FieldInfo{"motionToleranceMm", "Motion tolerance", "mm", 1e-9, 1, "Stop when no point moves farther than this."}, s.motionToleranceMm);
-  field(FieldInfo{"rmsToleranceMm", "RMS tolerance", "mm", 1e-9, 1, "Stop when the RMS residual changes by less (rms rule)."}, s.rmsToleranceMm);
+  field(FieldInfo{"stop", "Stop rule", "", 0, 0,
+                  "motion: when nothing moves and the weight has relaxed; rms: the thesis's rule."},
+        s.stop);
+  field(FieldInfo{"motionToleranceMm", "Motion tolerance", "mm", 1e-9, 1,
+                  "Stop when no point moves farther than this."},
+        s.motionToleranceMm);
+  field(FieldInfo{"rmsToleranceMm", "RMS tolerance", "mm", 1e-9, 1,
+                  "Stop when the RMS residual changes by less (rms rule)."},
+        s.rmsToleranceMm);
 }
 
-/// "default", "thesis-phantom" (w_max 1000, alpha 0.01), "thesis-clinical" (3000, 0.005): thesis ch. III, one given start, RMS rule.
+/// "default", "thesis-phantom" (w_max 1000, alpha 0.01), "thesis-clinical" (3000, 0.005): thesis ch. III, one
+/// given start, RMS rule.
 [[nodiscard]] RegistrationSettings registrationPreset(const std::string& name);
 [[nodiscard]] std::vector<std::string> registrationPresets();
 

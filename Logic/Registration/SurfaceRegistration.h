@@ -10,12 +10,13 @@ namespace falciform {
 /// Called after each iteration of the running start; for live curves. May run on a worker thread.
 using IterationObserver = std::function<void(const IterationRecord&)>;
 
-/// Finds where the scan lies on the pre-operative surface (thesis ch. III). Source is the scan, target the pre-op surface's points; both keep
-/// their frames. `scanFromPreopStart`: the one start for RegistrationStart::Given, and what motion is reported against. Stop (a Cancelled progress) throws.
-/// Throws InputError: fewer than 3 points on a side, a patch that is asked for and missing on a side.
-[[nodiscard]] RegistrationResult registerSurfaces(const Surface& preop, const Surface& scan,
-                                                  const RegistrationSettings& settings,
-                                                  const Isometry3d& scanFromPreopStart = Isometry3d::Identity(),
-                                                  const Progress& progress = {}, const IterationObserver& observer = {});
+/// Finds where the scan lies on the pre-operative surface (thesis ch. III). Source is the scan, target the
+/// pre-op surface's points; both keep their frames. `scanFromPreopStart`: the one start for
+/// RegistrationStart::Given, and what motion is reported against. Stop (a Cancelled progress) throws. Throws
+/// InputError: fewer than 3 points on a side, a patch that is asked for and missing on a side.
+[[nodiscard]] RegistrationResult registerSurfaces(
+    const Surface& preop, const Surface& scan, const RegistrationSettings& settings,
+    const Isometry3d& scanFromPreopStart = Isometry3d::Identity(), const Progress& progress = {},
+    const IterationObserver& observer = {});
 
 }  // namespace falciform

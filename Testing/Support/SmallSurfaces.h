@@ -11,9 +11,11 @@ namespace falciform::test {
 [[nodiscard]] Surface grid(double sizeMm, int cells);
 /// Torus about z, closed.
 [[nodiscard]] Surface torus(double ringRadiusMm, double tubeRadiusMm, int ringSegments, int tubeSegments);
-/// A bumpy, asymmetric closed body of about 10 * 4^subdivisions points with patches 1 and 2 painted: for registration tests.
+/// A bumpy, asymmetric closed body of about 10 * 4^subdivisions points with patches 1 and 2 painted: for
+/// registration tests.
 [[nodiscard]] Surface lumpyBody(int subdivisions = 5);
-/// A rigid motion drawn from `seed`: rotation uniform on SO(3), translation uniform in a cube of half edge `translationMm`.
+/// A rigid motion drawn from `seed`: rotation uniform on SO(3), translation uniform in a cube of half edge
+/// `translationMm`.
 [[nodiscard]] Isometry3d randomMotion(unsigned seed, double translationMm = 100);
 
 }  // namespace falciform::test

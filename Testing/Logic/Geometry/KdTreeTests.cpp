@@ -52,7 +52,8 @@ TEST(KdTree, GivesTiesToTheLowestIndex) {
   for (double x = -0.5; x < 9; x += 0.5)
     for (double y = -0.5; y < 9; y += 0.5)
       for (double z = -0.5; z < 9; z += 0.5)
-        ASSERT_EQ(tree.nearest(Vector3d(x, y, z)).index, bruteForce(points, {x, y, z}).index) << x << ' ' << y << ' ' << z;
+        ASSERT_EQ(tree.nearest(Vector3d(x, y, z)).index, bruteForce(points, {x, y, z}).index)
+            << x << ' ' << y << ' ' << z;
 }
 
 TEST(KdTree, SurvivesAllPointsAlike) {
@@ -78,7 +79,8 @@ TEST(KdTree, AGuessNeverChangesTheAnswer) {
   for (int trial = 0; trial < 5000; ++trial) {
     const Vector3d query = 0.5 * Vector3d(half(random), half(random), half(random));
     const int guess = any(random);
-    const Neighbour found = tree.nearest(query, Neighbour{guess, squaredDistance(query, points.row(guess).transpose())});
+    const Neighbour found =
+        tree.nearest(query, Neighbour{guess, squaredDistance(query, points.row(guess).transpose())});
     ASSERT_EQ(found.index, bruteForce(points, query).index);
   }
 }
@@ -96,7 +98,8 @@ TEST(KdTree, KNearestAndRadiusEqualBruteForce) {
   const KdTree tree(points);
   for (const Vector3d& query : {Vector3d(3, 3, 3), Vector3d(0.5, 2.5, 6.5), Vector3d(-4, 9, 3)}) {
     std::vector<std::pair<double, int>> all;
-    for (int i = 0; i < points.rows(); ++i) all.emplace_back(squaredDistance(query, points.row(i).transpose()), i);
+    for (int i = 0; i < points.rows(); ++i)
+      all.emplace_back(squaredDistance(query, points.row(i).transpose()), i);
     std::vector<int> ball;
     for (const auto& [squared, i] : all)
       if (squared <= 4) ball.push_back(i);
@@ -126,7 +129,8 @@ TEST(KdTree, AgreesWithFlann) {
   std::vector<double> distances(1000);
   flann::Matrix<int> idMatrix(ids.data(), 1000, 1);
   flann::Matrix<double> distanceMatrix(distances.data(), 1000, 1);
-  peer.knnSearch(flann::Matrix<double>(queries.data(), 1000, 3), idMatrix, distanceMatrix, 1, flann::SearchParams(-1));
+  peer.knnSearch(flann::Matrix<double>(queries.data(), 1000, 3), idMatrix, distanceMatrix, 1,
+                 flann::SearchParams(-1));
   for (Index q = 0; q < 1000; ++q)  // random coordinates: no ties
     EXPECT_EQ(tree.nearest(queries.row(q).transpose()).index, ids[static_cast<std::size_t>(q)]);
 }

@@ -1,0 +1,127 @@
+#include "Logic/Registration/RegistrationFigures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "Logic/Core/Parallel.h"
+#include "Logic/Geometry/Measures.h"
+#include "Logic/Patches/PatchStatistics.h"
+
+namespace falciform {
+
+namespace {
+
+constexpr double kCoverageReachMm = 5;  // a pre-op vertex is covered if a scan point lies this near
+constexpr double kFailedRmsMm = 5;  // the thesis calls a clinical registration above this failed (ch. III)
+constexpr double kPatchRmsMm = 8;   // its feature errors of good registrations stay below this (Table III.3)
+
+/// Distances of all scan points to the pre-op surface's points, real mm.
+std::vector<double> residuals(const LabelledTarget& target, const Points& moved) {
+  std::vector<double> distances(static_cast<std::size_t>(moved.rows()));
+  forEachChunk(distances.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      distances[i] =
+          std::sqrt(target.closest(moved.row(static_cast<Index>(i)).transpose(), 0, 1).squaredDistance);
+  });
+  return distances;
+}
+
+double coveredShare(const Surface& preop, const Points& moved) {
+  const KdTree tree(moved);
+  const VectorXd areas = vertexAreas(preop);
+  std::vector<char> near(static_cast<std::size_t>(preop.size()));
+  forEachChunk(near.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      near[i] = tree.nearest(preop.points.row(static_cast<Index>(i)).transpose(),
+                             kCoverageReachMm * kCoverageReachMm)
+                    .index >= 0;
+  });
+  double covered = 0;
+  for (std::size_t i = 0; i < near.size(); ++i)
+    if (near[i]) covered += areas[static_cast<Index>(i)];
+  return covered / areas.sum();
+}
+
+std::string mm(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f mm", value);
+  return text;
+}
+
+}  // namespace
+
+void fillFigures(RegistrationResult& result, const Surface& preop, const Surface& scan,
+                 const LabelledTarget& target, const LabelledSource& source,
+                 const RegistrationSettings& settings, const Isometry3d& scanFromPreopStart) {
+  const Points moved = transformed(scan.points, result.scanFromPreop.inverse());
+  std::vector<double> distances = residuals(target, moved);
+  const double lastWeight = result.history.empty() ? 1 : result.history.back().patchWeight;
+  double squared = 0, sum = 0, weighted = 0, weights = 0;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    squared += distances[i] * distances[i];
+    sum += distances[i];
+    const int label = source.labels[i];
+    const double biased = label == 0 ? distances[i] * distances[i]
+                                     : target
+                                           .closest(moved.row(static_cast<Index>(i)).transpose(), label,
+                                                    settings.correspondenceWeight)
+                                           .squaredDistance;
+    const double weight = label > 0 ? lastWeight : 1;
+    weighted += weight * biased;
+    weights += weight;
+  }
+  const auto n = static_cast<double>(distances.size());
+  result.rmsMm = std::sqrt(squared / n);
+  result.weightedRmsMm = std::sqrt(weighted / weights);
+  result.meanMm = sum / n;
+  const auto p95 = distances.begin() + static_cast<std::ptrdiff_t>(0.95 * (n - 1));
+  std::nth_element(distances.begin(), p95, distances.end());
+  result.p95Mm = *p95;
+
+  // Feature errors of every label both sides have, whether the method used it or not, as the thesis's tables
+  // show them.
+  const LabelledTarget allLabels(preop, patchLabels(preop));
+  for (const int label : patchLabels(scan)) {
+    if (!allLabels.has(label)) continue;
+    double patchSquared = 0;
+    const std::vector<int> ids = pointsOfPatch(scan, label);
+    for (const int i : ids)
+      patchSquared += allLabels.closestOfLabel(moved.row(i).transpose(), label).squaredDistance;
+    result.patchRmsMm[label] = std::sqrt(patchSquared / static_cast<double>(ids.size()));
+  }
+  result.coverage = coveredShare(preop, moved);
+  const Isometry3d change = result.scanFromPreop * scanFromPreopStart.inverse();
+  result.rotationDeg = Eigen::AngleAxisd(change.linear()).angle() * 180 / EIGEN_PI;
+  const Vector3d middle = scan.points.colwise().mean();
+  result.translationMm = (change * middle - middle).norm();
+  result.scanPoints = scan.size();
+  result.preopPoints = preop.size();
+}
+
+std::vector<std::string> registrationWarnings(const RegistrationResult& result, const Surface& preop,
+                                              const Surface& scan, const RegistrationSettings& settings) {
+  std::vector<std::string> warnings;
+  if (settings.method != RegistrationMethod::Icp)
+    warnings = patchWarnings(preop, scan);
+  else
+    warnings.push_back(
+        "no patches were used: closest points alone find the pose only if the start is near it");
+  if (!result.converged) warnings.push_back("the registration did not settle: " + result.stopReason);
+  if (result.rmsMm > kFailedRmsMm)
+    warnings.push_back("RMS residual is " + mm(result.rmsMm) + " (above " + mm(kFailedRmsMm) +
+                       "): strong deformation, outliers or a wrong pose; look before you trust it");
+  for (const auto& [label, rms] : result.patchRmsMm)
+    if (rms > kPatchRmsMm)
+      warnings.push_back("patch " + patchName(preop, label) + " fits with " + mm(rms) +
+                         " RMS: mislabelled, or the pose is wrong");
+  if (result.coverage < 0.15)
+    warnings.push_back("the scan covers only " +
+                       std::to_string(static_cast<int>(std::lround(100 * result.coverage))) +
+                       " % of the surface: the pose rests on little");
+  if (result.basins.size() > 1 && result.basins[1].score < 1.3 * result.basins[0].score)
+    warnings.push_back("another pose fits almost as well: look at the list of basins");
+  return warnings;
+}
+
+}  // namespace falciform
