@@ -1,0 +1,46 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "Logic/Core/Surface.h"
+
+namespace falciform {
+
+// The formats behind readSurface and writeSurface, one function each. Inside Logic/IO only.
+
+/// What stands in a file, before the space tag is honoured and the whole is checked.
+struct RawSurface {
+  Surface surface;
+  std::optional<std::string> space;  ///< the tag as written, if there is one
+  std::vector<std::string> warnings;
+};
+
+/// Readers take the whole file as text or bytes, `name` for messages, and throw InputError for damage.
+[[nodiscard]] RawSurface readPly(const std::string& bytes, const std::string& name);
+[[nodiscard]] RawSurface readObj(const std::string& text, const std::string& name);
+[[nodiscard]] RawSurface readStl(const std::string& bytes, const std::string& name);
+/// XYZ and CSV: one point a line.
+[[nodiscard]] RawSurface readCloudText(const std::string& text, const std::string& name);
+[[nodiscard]] RawSurface readVtp(const std::string& bytes, const std::string& name);
+[[nodiscard]] RawSurface readLegacyVtk(const std::string& bytes, const std::string& name);
+
+/// Throws InputError where the counts and cells of a legacy file cannot be right: VTK's reader trusts them.
+void checkLegacyVtk(const std::string& bytes, const std::string& name);
+
+/// Writers return the file's bytes.
+[[nodiscard]] std::string plyOf(const Surface& surface);  ///< binary little endian, double precision
+[[nodiscard]] std::string objOf(const Surface& surface);  ///< points in their order, 17 digits
+[[nodiscard]] std::string stlOf(const Surface& surface);  ///< binary, float precision; needs triangles
+void writeVtp(const std::filesystem::path& file, const Surface& surface);
+void writeLegacyVtk(const std::filesystem::path& file, const Surface& surface);
+
+/// "LPS" of "3D Slicer output. SPACE=LPS": the text after "SPACE=" up to the line's end or a semicolon; none
+/// if not there.
+[[nodiscard]] std::optional<std::string> spaceTagIn(std::string_view comment);
+/// "SPACE=frame" for headers and comments: on one line, whatever the frame is called.
+[[nodiscard]] std::string spaceTagOf(const Surface& surface);
+
+}  // namespace falciform

@@ -1,0 +1,110 @@
+#include <vtkCellArray.h>
+#include <vtkCharArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyDataReader.h>
+#include <vtkPolyDataWriter.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <limits>
+
+#include "Logic/Core/Errors.h"
+#include "Logic/IO/SurfaceFormats.h"
+#include "Logic/VtkBridge/PolyDataBridge.h"
+#include "Logic/VtkBridge/VtkErrors.h"
+
+namespace falciform {
+
+namespace {
+
+/// Runs a VTK reader on bytes in memory, and makes its complaints our error.
+template <class Reader>
+RawSurface readWith(Reader* reader, const std::string& name) {
+  std::string problem;
+  try {
+    problem = vtkErrorsOf([&] { reader->Update(); });
+  } catch (const std::bad_alloc&) {
+    problem = "it asks for more memory than there is";
+  } catch (const std::length_error&) {
+    problem = "it asks for more memory than there is";
+  }
+  if (!problem.empty())
+    throw InputError(name + " is damaged or truncated (" + problem + "); copy or export it again");
+  RawSurface raw;
+  vtkPolyData* data = reader->GetOutput();
+  try {
+    raw.surface = fromVtk(data);
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+  if (data->GetFieldData()->GetAbstractArray("SPACE")) raw.space = spaceTagIn("SPACE=" + raw.surface.frame);
+  return raw;
+}
+
+template <class Writer>
+void writeWith(Writer* writer, const std::filesystem::path& file) {
+  writer->SetFileName(file.c_str());
+  bool done = false;
+  const std::string problem = vtkErrorsOf([&] { done = writer->Write() == 1; });
+  if (done && problem.empty() && writer->GetErrorCode() == vtkErrorCode::NoError) return;
+  throw InputError(
+      "cannot write the surface: " + (problem.empty() ? std::string("the disk may be full") : problem) +
+      "; make room or choose another folder");
+}
+
+}  // namespace
+
+RawSurface readVtp(const std::string& bytes, const std::string& name) {
+  // The reader stops at the appended data, and would not miss the end of a file that was cut in them.
+  if (bytes.find("<VTKFile") == std::string::npos)
+    throw InputError(name + " is no VTP file (it has no <VTKFile>); export it again");
+  const std::size_t end = bytes.rfind("</VTKFile>");
+  if (end == std::string::npos || bytes.size() - end > 1000)
+    throw InputError(name + " is truncated: its closing </VTKFile> is missing; copy or export it again");
+  if (bytes.find("type=\"PolyData\"") == std::string::npos)
+    throw InputError(
+        name + " holds no polygonal surface (type=\"PolyData\"); extract the surface and export it as .vtp");
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetInputString(bytes);
+  return readWith(reader.Get(), name);
+}
+
+RawSurface readLegacyVtk(const std::string& bytes, const std::string& name) {
+  if (bytes.size() > std::numeric_limits<int>::max())
+    throw InputError(name + " is larger than 2 GB; decimate it");
+  checkLegacyVtk(bytes, name);
+  vtkNew<vtkPolyDataReader> reader;
+  reader->ReadFromInputStringOn();
+  reader->SetBinaryInputString(bytes.data(), static_cast<int>(bytes.size()));
+  reader->ReadAllScalarsOn();
+  reader->ReadAllNormalsOn();
+  reader->ReadAllFieldsOn();
+  reader->ReadAllColorScalarsOn();
+  RawSurface raw = readWith(reader.Get(), name);
+  const std::size_t title = bytes.find('\n');
+  const std::size_t titleEnd = bytes.find('\n', title + 1);
+  if (const auto tag = spaceTagIn(std::string_view(bytes).substr(title, titleEnd - title)); tag)
+    raw.space = tag;
+  return raw;
+}
+
+void writeVtp(const std::filesystem::path& file, const Surface& surface) {
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(toVtk(surface));
+  writeWith(writer.Get(), file);
+}
+
+void writeLegacyVtk(const std::filesystem::path& file, const Surface& surface) {
+  vtkNew<vtkPolyDataWriter> writer;
+  writer->SetInputData(toVtk(surface));
+  writer->SetFileVersion(
+      vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);  // 5.1 is not read by many programs
+  writer->SetFileTypeToBinary();
+  writer->SetHeader(("3D Slicer output. " + spaceTagOf(surface)).substr(0, 255).c_str());
+  writeWith(writer.Get(), file);
+}
+
+}  // namespace falciform
