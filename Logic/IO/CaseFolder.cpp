@@ -1,1 +1,214 @@
 #include "Logic/IO/CaseFolder.h"
+
+#include <set>
+
+#include "Logic/Core/Errors.h"
+#include "Logic/IO/JsonFile.h"
+#include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/ResultFiles.h"
+#include "Logic/IO/SurfaceFiles.h"
+#include "Logic/IO/TransformFiles.h"
+#include "Logic/IO/VolumeFiles.h"
+
+namespace falciform {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "Portal vein (left)" -> "Portal_vein_left", different for different names.
+std::string fileNameFor(const std::string& name, std::set<std::string>& taken) {
+  std::string safe;
+  for (const unsigned char c : name.substr(0, 60))
+    if (std::isalnum(c) || c == '-')
+      safe += static_cast<char>(c);
+    else if (!safe.empty() && safe.back() != '_')
+      safe += '_';
+  while (!safe.empty() && safe.back() == '_') safe.pop_back();
+  if (safe.empty()) safe = "structure";
+  std::string unique = safe;
+  for (int k = 2; !taken.insert(unique).second; ++k) unique = safe + "-" + std::to_string(k);
+  return unique + ".vtp";
+}
+
+/// What the user wrote into case.json and the document does not hold is kept when the case is saved over it.
+CaseDescription keptFrom(const fs::path& folder, const Case& document) {
+  CaseDescription kept;
+  if (fs::exists(folder / "case.json")) {
+    const CaseDescription old = readCaseDescription(folder);
+    kept.settings = old.settings;
+    kept.targets = old.targets;
+    kept.truthTargets = old.truthTargets;
+    if (document.labels()) kept.labels = old.labels;
+  }
+  return kept;
+}
+
+class CaseSaver {
+ public:
+  CaseSaver(const fs::path& folder, Overwrite overwrite) : folder_(folder), overwrite_(overwrite) {}
+
+  std::string save(const std::shared_ptr<const Surface>& surface, const std::string& file) const {
+    if (!surface) return {};
+    writeSurface(folder_ / file, *surface, overwrite_);
+    return file;
+  }
+  std::string save(const Landmarks& landmarks, const std::string& file) const {
+    if (landmarks.points.empty()) return {};
+    writeLandmarks(folder_ / file, landmarks, overwrite_);
+    return file;
+  }
+  std::string save(const std::shared_ptr<const LabelMap>& labels, const std::string& file) const {
+    if (!labels) return {};
+    writeLabelMap(folder_ / file, *labels, overwrite_);
+    return file;
+  }
+  std::string save(const std::shared_ptr<const RegistrationResult>& result, bool stale,
+                   const std::string& file) const {
+    if (!result) return {};
+    nlohmann::json json = toJson(*result);
+    json["stale"] = stale;
+    writeJsonFile(folder_ / file, json, overwrite_);
+    return file;
+  }
+  std::string save(const std::shared_ptr<const DistanceMap>& map, const std::string& file) const {
+    if (!map) return {};
+    nlohmann::json json = toJson(*map);
+    json["preop_surface"] = "distance_preop.vtp";
+    json["scan_surface"] = "distance_scan.vtp";
+    writeSurface(folder_ / "distance_preop.vtp", map->preop, overwrite_);
+    writeSurface(folder_ / "distance_scan.vtp", map->scan, overwrite_);
+    writeJsonFile(folder_ / file, json, overwrite_);
+    return file;
+  }
+  std::vector<std::pair<std::string, std::string>> save(
+      const std::map<std::string, std::shared_ptr<const Surface>>& structures) const {
+    std::vector<std::pair<std::string, std::string>> files;
+    std::set<std::string> taken;
+    if (!structures.empty()) makeFolder(folder_ / "structures");
+    for (const auto& [name, surface] : structures)
+      files.emplace_back(name, save(surface, "structures/" + fileNameFor(name, taken)));
+    return files;
+  }
+
+ private:
+  fs::path folder_;
+  Overwrite overwrite_;
+};
+
+class CaseOpener {
+ public:
+  explicit CaseOpener(CaseDescription description) : from_(std::move(description)) {}
+
+  /// Everything is read before the document is touched: a damaged file leaves it as it was.
+  std::vector<std::string> fill(Case& document) {
+    const auto labels =
+        from_.labelMap.empty() ? nullptr : shared(take(readLabelMap(from_.folder / from_.labelMap)));
+    const auto preop = surface(from_.preop), scan = surface(from_.scan);
+    std::map<std::string, std::shared_ptr<const Surface>> structures;
+    for (const auto& [name, file] : from_.structures) structures[name] = surface(file);
+    const Landmarks preopLandmarks = landmarks(from_.preopLandmarks),
+                    scanLandmarks = landmarks(from_.scanLandmarks);
+    bool stale = false;
+    const auto registration = readRegistration(stale);
+    const auto distance = readDistance();
+
+    document.clear();
+    document.setName(from_.name);
+    if (labels) document.setLabels(labels);
+    if (registration && stale)
+      document.setRegistration(registration);  // before the surfaces: then it is stale again
+    if (preop) document.setPreop(preop);
+    if (scan) document.setScan(scan);
+    if (registration && !stale) document.setRegistration(registration);
+    for (const auto& [name, structure] : structures) document.setStructure(name, structure);
+    if (!preopLandmarks.points.empty()) document.setPreopLandmarks(preopLandmarks);
+    if (!scanLandmarks.points.empty()) document.setScanLandmarks(scanLandmarks);
+    if (distance) document.setDistance(distance);
+    document.setUnmodified();
+    if (!from_.preopPatches.empty())
+      warnings_.push_back("the patches of '" + from_.preopPatches +
+                          "' are not on the surface yet; carry them over once the surface is there");
+    return warnings_;
+  }
+
+ private:
+  template <class T>
+  T take(Loaded<T> loaded) {
+    warnings_.insert(warnings_.end(), loaded.warnings.begin(), loaded.warnings.end());
+    return std::move(loaded.value);
+  }
+  template <class T>
+  static std::shared_ptr<const T> shared(T value) {
+    return std::make_shared<const T>(std::move(value));
+  }
+  std::shared_ptr<const Surface> surface(const std::string& file) {
+    return file.empty() ? nullptr : shared(take(readSurface(from_.folder / file)));
+  }
+  Landmarks landmarks(const std::string& file) {
+    return file.empty() ? Landmarks{} : take(readLandmarks(from_.folder / file));
+  }
+
+  /// A whole saved result, or just a transform file.
+  std::shared_ptr<const RegistrationResult> readRegistration(bool& stale) {
+    if (from_.registration.empty()) return nullptr;
+    const fs::path file = from_.folder / from_.registration;
+    if (file.extension() == ".json")
+      if (const nlohmann::json json = readJsonFile(file);
+          json.is_object() && json.contains("scan_from_preop")) {
+        stale = json.value("stale", nlohmann::json(false)) == true;
+        return shared(registrationFromJson(json));
+      }
+    RegistrationResult result;
+    result.scanFromPreop = readTransform(file);
+    result.stopReason = "read from " + file.filename().string();
+    return shared(std::move(result));
+  }
+
+  std::shared_ptr<const DistanceMap> readDistance() {
+    if (from_.distance.empty()) return nullptr;
+    const fs::path file = from_.folder / from_.distance;
+    const nlohmann::json json = readJsonFile(file);
+    for (const char* key : {"preop_surface", "scan_surface"})
+      if (!json.is_object() || !json.contains(key) || !json[key].is_string())
+        throw InputError(file.filename().string() + " has no text '" + key +
+                         "'; compute the distance map again");
+    const auto beside = [&](const char* key) {
+      return take(readSurface(file.parent_path() / json[key].get<std::string>()));
+    };
+    Surface preop = beside("preop_surface"), scan = beside("scan_surface");
+    return shared(distanceFromJson(json, std::move(preop), std::move(scan)));
+  }
+
+  CaseDescription from_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace
+
+void saveCase(const Case& document, const fs::path& folder, Overwrite overwrite) {
+  makeFolder(folder);
+  if (overwrite == Overwrite::Refuse && fs::exists(folder / "case.json"))
+    throw InputError("'" + folder.string() +
+                     "' holds a case already; give --force to replace it, or choose another folder");
+  CaseDescription description = keptFrom(folder, document);
+  const CaseSaver saver(folder, overwrite);
+  description.folder = folder;
+  description.name = document.name().empty() ? "Untitled" : document.name();
+  description.labelMap = saver.save(document.labels(), "labels.nii.gz");
+  description.preop = saver.save(document.preop(), "preop.vtp");
+  description.scan = saver.save(document.scan(), "scan.vtp");
+  description.structures = saver.save(document.structures());
+  description.preopLandmarks = saver.save(document.preopLandmarks(), "preop_landmarks.mrk.json");
+  description.scanLandmarks = saver.save(document.scanLandmarks(), "scan_landmarks.mrk.json");
+  description.registration =
+      saver.save(document.registration(), document.registrationStale(), "registration.json");
+  description.distance = saver.save(document.distance(), "distance.json");
+  writeCaseDescription(description, overwrite);  // last: until then the old case.json stands
+}
+
+std::vector<std::string> openCase(Case& document, const fs::path& folderOrFile) {
+  return CaseOpener(readCaseDescription(folderOrFile)).fill(document);
+}
+
+}  // namespace falciform

@@ -5,12 +5,16 @@
 
 namespace falciform {
 
-/// Units in the keys (`rms_mm`, `rotation_deg`); matrices row-major; history and basins included. NaN becomes null.
+/// Units in the keys (`rms_mm`, `rotation_deg`); matrices row-major; history and basins included. NaN becomes
+/// null.
 [[nodiscard]] nlohmann::json toJson(const RegistrationResult& result);
+/// The reverse; throws InputError naming the key for anything missing or wrong.
 [[nodiscard]] RegistrationResult registrationFromJson(const nlohmann::json& json);
 [[nodiscard]] nlohmann::json toJson(const DistanceStatistics& statistics);
 /// Statistics of the map, by side and by patch; not the surfaces.
 [[nodiscard]] nlohmann::json toJson(const DistanceMap& map);
+/// The reverse, with the surfaces that were saved beside it.
+[[nodiscard]] DistanceMap distanceFromJson(const nlohmann::json& json, Surface preop, Surface scan);
 /// One row per side and patch: "side,patch,count,mean_mm,...", C locale.
 [[nodiscard]] std::string toCsv(const DistanceMap& map);
 

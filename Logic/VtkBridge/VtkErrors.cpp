@@ -1,5 +1,6 @@
 #include "Logic/VtkBridge/VtkErrors.h"
 
+#include <vtkLogger.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -64,12 +65,14 @@ vtkStandardNewMacro(CapturingWindow);
 /// Puts the capturing window in place, and the state of before back, also when `work` throws.
 class Capture {
  public:
-  Capture() : displayed_(vtkObject::GetGlobalWarningDisplay()) {
+  Capture() : displayed_(vtkObject::GetGlobalWarningDisplay()), logged_(vtkLogger::GetCurrentVerbosityCutoff()) {
     window->previous = vtkOutputWindow::GetInstance();
     vtkObject::SetGlobalWarningDisplay(1);  // otherwise VTK would swallow the error itself
     vtkOutputWindow::SetInstance(window);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // the log prints errors beside the window
   }
   ~Capture() {
+    vtkLogger::SetStderrVerbosity(logged_);
     vtkOutputWindow::SetInstance(window->previous);
     vtkObject::SetGlobalWarningDisplay(displayed_);
   }
@@ -80,6 +83,7 @@ class Capture {
 
  private:
   const int displayed_;
+  const vtkLogger::Verbosity logged_;
 };
 
 }  // namespace
