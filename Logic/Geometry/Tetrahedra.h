@@ -4,13 +4,14 @@
 namespace falciform {
 
 struct TetrahedralMesh {
-  Points points;                                                    ///< mm; the surface's points come first, in order
+  Points points;  ///< mm; the surface's points come first, in order
   Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor> tetrahedra;  ///< positive volume
 };
 
-/// Fills a closed surface with quality tetrahedra by TetGen (Si 2015), none larger than `maxVolumeMm3` (0: no bound),
-/// boundary kept as it is. Throws InputError for an open or self-intersecting surface, and when this build is without
-/// TetGen (CMake switch FALCIFORM_WITH_TETGEN; Docs/Licences.md).
+/// Fills a closed surface with quality tetrahedra by TetGen (Si 2015), boundary kept as it is, refined until
+/// they are about `maxVolumeMm3` or less (0: no bound; on the boundary its triangles decide). The result is
+/// the same each time. Throws InputError for an open, inside-out or self-intersecting surface, and when this
+/// build is without TetGen (CMake switch FALCIFORM_WITH_TETGEN; Docs/Licences.md).
 [[nodiscard]] TetrahedralMesh tetrahedralise(const Surface& surface, double maxVolumeMm3 = 0);
 
 }  // namespace falciform
