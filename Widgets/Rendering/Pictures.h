@@ -1,7 +1,6 @@
 #pragma once
 #include <filesystem>
-#include <map>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,19 +8,13 @@
 #include "Logic/Core/Results.h"
 #include "Logic/Core/Surface.h"
 #include "Logic/IO/OutputFile.h"
+#include "Widgets/Rendering/PictureSources.h"
 
 namespace falciform {
 
 // PNG pictures for the command line and for reports, drawn without a display. Link Falciform::Offscreen and
 // call falciform_offscreen_executable(target) in CMake. Each carries "Research use only: not a medical
 // device".
-
-struct PictureSize {
-  int width = 1200, height = 900;  ///< pixels, each in [64, 8192]
-};
-
-/// Vessels and tumours by name, in the frame of the pre-operative surface.
-using Structures = std::map<std::string, std::shared_ptr<const Surface>>;
 
 /// The pre-operative surface from the front, patches in their colours with a legend, structures inside it
 /// (the surface then is see-through).
@@ -38,12 +31,12 @@ void saveOverlayPicture(const Surface& preop, const Surface& scan, const Isometr
                         const std::string& title, const std::filesystem::path& file, Overwrite overwrite,
                         PictureSize size = {});
 
-enum class DistanceSide { Preop, Scan };
-
 /// One side of a distance map: symmetric colours around 0 with a bar in mm, grey where there is no value, and
-/// a sentence on what the sign means. Both sides share the range.
+/// a sentence on what the sign means. Both sides share the range. Upright as the
+/// patient stands if the pose is given.
 void saveDistancePicture(const DistanceMap& map, DistanceSide side, const std::filesystem::path& file,
-                         Overwrite overwrite, PictureSize size = {});
+                         Overwrite overwrite, PictureSize size = {},
+                         const std::optional<Isometry3d>& scanFromPreop = {});
 
 /// Histogram of the signed distances of both sides, mm against the share of values.
 void saveHistogramPicture(const DistanceMap& map, const std::filesystem::path& file, Overwrite overwrite,
@@ -52,15 +45,6 @@ void saveHistogramPicture(const DistanceMap& map, const std::filesystem::path& f
 /// RMS residual (mm) and patch weight over the iterations of the start that won.
 void saveConvergencePicture(const RegistrationResult& registration, const std::filesystem::path& file,
                             Overwrite overwrite, PictureSize size = {});
-
-/// What there is to draw; what is null is left out.
-struct PictureSources {
-  std::shared_ptr<const Surface> preop, scan;
-  std::shared_ptr<const RegistrationResult> registration;
-  std::shared_ptr<const DistanceMap> distance;
-  Structures structures;
-  Isometry3d scanFromPreopStart = Isometry3d::Identity();  ///< pose before the registration, for before.png
-};
 
 /// A picture on disk and one sentence on what it shows, for a report. Plain text, not escaped for HTML.
 struct PictureFile {

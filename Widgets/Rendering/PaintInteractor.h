@@ -1,0 +1,77 @@
+#pragma once
+#include <vtkInteractorStyleTrackballCamera.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "Logic/Patches/PatchPaintingLogic.h"
+#include "Widgets/Rendering/BrushCursorPresenter.h"
+#include "Widgets/Rendering/Picking.h"
+#include "Widgets/Rendering/SurfacePresenter.h"
+
+namespace falciform {
+
+/// Mouse and keys in a 3D view. Left rotates, middle or Shift+left pans, right or the wheel zooms, r fits
+/// all, capital A P R L S I are the standard views. While painting, left paints, any modifier with left
+/// navigates, Shift+wheel or + and - size the brush, 1-9 pick the patch, 0 erases, z and y undo and redo, Esc
+/// leaves.
+class PaintInteractor : public vtkInteractorStyleTrackballCamera {
+ public:
+  static PaintInteractor* New();
+  vtkTypeMacro(PaintInteractor, vtkInteractorStyleTrackballCamera);
+  PaintInteractor(const PaintInteractor&) = delete;
+  PaintInteractor& operator=(const PaintInteractor&) = delete;
+
+  /// Paints with `logic` on the surface that `presenter` shows in `renderer`; all three must outlive the
+  /// painting.
+  void startPainting(PatchPaintingLogic& logic, SurfacePresenter& presenter, vtkRenderer* renderer);
+  /// Ends a running stroke first.
+  void stopPainting();
+  [[nodiscard]] bool painting() const { return logic_ != nullptr; }
+
+  std::function<void()> onChange;  ///< labels, brush size or patch changed by mouse or key
+  std::function<void()> onLeave;   ///< painting was left by Esc
+  /// Rotation from LPS to the scene, for the standard views.
+  Matrix3d sceneFromLps = Matrix3d::Identity();
+
+  void OnMouseMove() override;
+  void OnLeftButtonDown() override;
+  void OnLeftButtonUp() override;
+  void OnMiddleButtonDown() override;
+  void OnRightButtonDown() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+  void OnLeave() override;
+  void OnKeyPress() override;
+  void OnChar() override;
+
+ protected:
+  PaintInteractor();
+  ~PaintInteractor() override;
+
+ private:
+  struct Place {
+    SurfaceHit hit;
+    Vector3d viewDirection;  ///< in the surface's frame, as the hit
+  };
+  [[nodiscard]] std::optional<Place> placeAt(double x, double y);
+  void paintTo(int x, int y);
+  void showCursor();
+  void endStroke();
+  void takeLabels(const PatchEdit& edit);
+  void scaleBrush(double factor);
+  void changed();
+  void paintKey(char key);
+  [[nodiscard]] bool modifierHeld() const;
+
+  PatchPaintingLogic* logic_ = nullptr;
+  SurfacePresenter* presenter_ = nullptr;
+  vtkRenderer* renderer_ = nullptr;
+  std::unique_ptr<SurfacePicker> picker_;
+  std::shared_ptr<const Surface> picked_;  ///< the surface that picker_ is known to fit
+  std::unique_ptr<BrushCursorPresenter> cursor_;
+  int lastX_ = 0, lastY_ = 0;
+};
+
+}  // namespace falciform

@@ -1,0 +1,19 @@
+#include "Widgets/Rendering/PatchColours.h"
+
+#include <array>
+
+namespace falciform {
+
+Vector3d patchColour(int label) {
+  static const std::array<Vector3d, 7> palette{Vector3d(0, 114, 178),    // blue: falciform
+                                               Vector3d(240, 228, 66),   // yellow: inferior ridge
+                                               Vector3d(0, 158, 115),    // bluish green
+                                               Vector3d(204, 121, 167),  // reddish purple
+                                               Vector3d(86, 180, 233),   // sky blue
+                                               Vector3d(230, 159, 0),    // orange
+                                               Vector3d(213, 94, 0)};    // vermilion
+  const auto place = static_cast<std::size_t>(label < 1 ? 0 : label - 1) % palette.size();
+  return palette[place] / 255.0;
+}
+
+}  // namespace falciform

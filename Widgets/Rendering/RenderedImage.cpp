@@ -1,0 +1,76 @@
+#include "Widgets/Rendering/RenderedImage.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+
+#include "Logic/Core/Errors.h"
+#include "Logic/VtkBridge/VtkErrors.h"
+#include "Version.h"
+
+namespace falciform {
+
+namespace {
+
+/// VTK's images have row 0 at the bottom.
+RenderedImage fromVtkImage(vtkImageData* data) {
+  const int* size = data->GetDimensions();
+  RenderedImage image{size[0], size[1], {}};
+  image.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
+  const int components = data->GetNumberOfScalarComponents();
+  auto to = image.rgb.begin();
+  for (int y = image.height - 1; y >= 0; --y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto* from = static_cast<const std::uint8_t*>(data->GetScalarPointer(x, y, 0));
+      for (int c = 0; c < 3; ++c) *to++ = from[components >= 3 ? c : 0];
+    }
+  return image;
+}
+
+}  // namespace
+
+RenderedImage grab(vtkRenderWindow* window) {
+  vtkNew<vtkWindowToImageFilter> filter;
+  filter->SetInput(window);
+  filter->ReadFrontBufferOff();
+  filter->ShouldRerenderOff();
+  filter->Update();
+  return fromVtkImage(filter->GetOutput());
+}
+
+void savePng(const RenderedImage& image, const std::filesystem::path& file, Overwrite overwrite) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const std::size_t row = static_cast<std::size_t>(image.width) * 3;
+  for (int y = 0; y < image.height; ++y)
+    std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y)), row,
+                static_cast<std::uint8_t*>(data->GetScalarPointer(0, image.height - 1 - y, 0)));
+  writeFile(file, overwrite, [&](const std::filesystem::path& temporary) {
+    vtkNew<vtkPNGWriter> writer;
+    writer->SetFileName(temporary.c_str());
+    writer->SetInputData(data);
+    writer->AddText("Disclaimer", kResearchUse);
+    const std::string problem = vtkErrorsOf([&] { writer->Write(); });
+    if (!problem.empty())
+      throw InputError(file.string() + ": the picture could not be written (" + problem + ")");
+  });
+}
+
+RenderedImage readPng(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(file.string() + ": no such picture; check the path");
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(file.c_str());
+  const std::string problem = vtkErrorsOf([&] { reader->Update(); });
+  vtkImageData* data = reader->GetOutput();
+  if (!problem.empty() || data->GetNumberOfPoints() == 0 || data->GetScalarType() != VTK_UNSIGNED_CHAR)
+    throw InputError(file.string() + ": not an 8-bit PNG picture; save it again");
+  return fromVtkImage(data);
+}
+
+}  // namespace falciform

@@ -1,0 +1,70 @@
+#include "Widgets/Rendering/ScalarMap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace falciform {
+
+namespace {
+
+/// ColorBrewer RdYlBu, 11 classes, low to high (C. Brewer, Apache 2.0).
+const std::array<Vector3d, 11>& divergingColours() {
+  static const std::array<Vector3d, 11> colours{
+      Vector3d(49, 54, 149),   Vector3d(69, 117, 180),  Vector3d(116, 173, 209), Vector3d(171, 217, 233),
+      Vector3d(224, 243, 248), Vector3d(255, 255, 191), Vector3d(254, 224, 144), Vector3d(253, 174, 97),
+      Vector3d(244, 109, 67),  Vector3d(215, 48, 39),   Vector3d(165, 0, 38)};
+  return colours;
+}
+
+double roundUp(double value) {
+  if (!(value > 0)) return 1;
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0})
+    if (value <= step * decade * (1 + 1e-9)) return step * decade;
+  return 10 * decade;
+}
+
+}  // namespace
+
+Vector3d colourOf(const ScalarMap& map, double value) {
+  if (std::isnan(value)) return kNoValueColour;
+  const auto& colours = divergingColours();
+  if (value < map.low || value > map.high) {
+    if (map.outOfRange == OutOfRange::Grey) return kOffScaleColour;
+    return (value < map.low ? colours.front() : colours.back()) / 255.0 * 0.45;
+  }
+  const double span = map.high > map.low ? map.high - map.low : 1;
+  const double at = (value - map.low) / span * static_cast<double>(colours.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), colours.size() - 2);
+  const double share = at - static_cast<double>(below);
+  return ((1 - share) * colours[below] + share * colours[below + 1]) / 255.0;
+}
+
+ScalarMap symmetricMap(const std::string& array, const std::string& title, const std::string& unit,
+                       const std::vector<const Surface*>& surfaces) {
+  double largest = 0;
+  for (const Surface* surface : surfaces)
+    if (const auto found = surface->arrays.find(array); found != surface->arrays.end())
+      for (const double value : found->second)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  const double end = roundUp(largest);
+  return {array, title, unit, -end, end, OutOfRange::Grey};
+}
+
+std::vector<double> tickValues(double low, double high, int atMost) {
+  if (!(high > low) || !std::isfinite(high - low)) return {low};
+  const double decade = std::pow(10.0, std::floor(std::log10((high - low) / atMost)));
+  double step = decade;
+  for (const double factor : {1.0, 2.0, 2.5, 5.0, 10.0, 20.0}) {
+    step = factor * decade;
+    if (std::floor(high / step + 1e-9) - std::ceil(low / step - 1e-9) + 1 <= atMost) break;
+  }
+  std::vector<double> ticks;
+  // Counted in whole steps, so that 0 is exactly 0.
+  for (double k = std::ceil(low / step - 1e-9); k <= std::floor(high / step + 1e-9); ++k)
+    ticks.push_back(k * step);
+  return ticks;
+}
+
+}  // namespace falciform

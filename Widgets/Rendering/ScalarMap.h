@@ -1,0 +1,41 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "Logic/Core/Surface.h"
+
+namespace falciform {
+
+/// What stands for values beyond the ends of the scale.
+enum class OutOfRange {
+  Grey,  ///< dark grey, so that only values on the scale have colours
+  Ends,  ///< a darker shade of the scale's end, so that the sign stays visible
+};
+
+/// How an analysis array becomes colours. Signed data has `low = -high`, so that no colour is 0.
+struct ScalarMap {
+  std::string array;  ///< a key of Surface::arrays
+  std::string title;  ///< of the colour bar, "Signed distance"
+  std::string unit;   ///< "mm"
+  double low = -1, high = 1;
+  OutOfRange outOfRange = OutOfRange::Grey;
+};
+
+/// Grey of places without a value (NaN), lighter than the grey of values off the scale.
+inline const Vector3d kNoValueColour{0.66, 0.66, 0.66};
+inline const Vector3d kOffScaleColour{0.30, 0.30, 0.30};
+
+/// The colour of `value`, in [0, 1]: blue through pale yellow to red (ColorBrewer's RdYlBu, safe for the
+/// colour blind, and no colour on it is grey), kNoValueColour for NaN.
+[[nodiscard]] Vector3d colourOf(const ScalarMap& map, double value);
+
+/// A map that is symmetric around 0 and holds every finite value of `array` on all `surfaces`, its end
+/// rounded up to 1, 1.5, 2, 3, 4, 5, 6, 8 x 10^k; +-1 where there is no value. One range for surfaces that
+/// are to be compared.
+[[nodiscard]] ScalarMap symmetricMap(const std::string& array, const std::string& title,
+                                     const std::string& unit, const std::vector<const Surface*>& surfaces);
+
+/// Values at which a colour bar is labelled: round, ascending, both ends among them where they are round.
+[[nodiscard]] std::vector<double> tickValues(double low, double high, int atMost = 9);
+
+}  // namespace falciform

@@ -1,0 +1,13 @@
+#pragma once
+#include "Logic/Core/Surface.h"
+
+namespace falciform {
+
+/// Unit direction from the scan towards where its scanner stood, as far as the scan tells: the mean normal of
+/// its triangles; for a cloud its thinnest axis, on the side to which the middle bulges over the rim.
+[[nodiscard]] Vector3d seenFrom(const Surface& scan);
+
+/// Unit direction at right angles to `view` that shows the scan's longest extent from left to right.
+[[nodiscard]] Vector3d uprightFor(const Surface& scan, const Vector3d& view);
+
+}  // namespace falciform

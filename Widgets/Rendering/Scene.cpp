@@ -1,0 +1,69 @@
+#include "Widgets/Rendering/Scene.h"
+
+#include <vtkLightKit.h>
+#include <vtkNew.h>
+#include <vtkRendererCollection.h>
+
+#include "Version.h"
+
+namespace falciform {
+
+namespace {
+
+/// Key, fill and head light that follow the camera, all white, so that colours keep their meaning.
+void light(vtkRenderer* renderer) {
+  vtkNew<vtkLightKit> kit;
+  kit->SetKeyLightWarmth(0.5);
+  kit->SetFillLightWarmth(0.5);
+  kit->SetHeadLightWarmth(0.5);
+  kit->SetBackLightWarmth(0.5);
+  kit->SetKeyLightIntensity(0.8);
+  kit->SetKeyLightAngle(35, 15);
+  kit->SetKeyToFillRatio(2.5);
+  kit->SetKeyToHeadRatio(2.5);
+  kit->SetKeyToBackRatio(4);
+  renderer->AutomaticLightCreationOff();
+  kit->AddLightsToRenderer(renderer);
+}
+
+}  // namespace
+
+SceneStyle screenStyle(int textPx) {
+  return {{0.80, 0.84, 0.89}, {0.95, 0.96, 0.98}, {0.10, 0.12, 0.15}, textPx};
+}
+
+Scene::Scene(const SceneStyle& style) : style_(style), renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+  renderer_->SetBackground(style.background.data());
+  renderer_->SetBackground2(style.backgroundTop.data());
+  renderer_->SetGradientBackground(style.background != style.backgroundTop);
+  // Right order for see-through surfaces; without it the far side of a liver shines through its patches.
+  renderer_->SetUseDepthPeeling(true);
+  renderer_->SetMaximumNumberOfPeels(6);
+  renderer_->SetOcclusionRatio(0.0);
+  light(renderer_);
+  notice_ = std::make_unique<TextPresenter>(renderer_.Get(), TextPlace::BottomLeft, style.textPx, style.text);
+  notice_->setText(kResearchUse);
+  cube_ = std::make_unique<OrientationCubePresenter>(renderer_.Get());
+}
+
+Scene::~Scene() {
+  presenters_.clear();
+  detach();
+}
+
+void Scene::attach(vtkRenderWindow* window) {
+  detach();
+  window_ = window;
+  window->SetNumberOfLayers(2);
+  window->AddRenderer(renderer_);
+  window->AddRenderer(cube_->renderer());
+}
+
+void Scene::detach() {
+  if (!window_) return;
+  window_->RemoveRenderer(cube_->renderer());
+  window_->RemoveRenderer(renderer_);
+  window_ = nullptr;
+}
+
+}  // namespace falciform

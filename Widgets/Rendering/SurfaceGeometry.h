@@ -1,0 +1,17 @@
+#pragma once
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include "Logic/Core/Surface.h"
+
+namespace falciform {
+
+/// Points, cells and unit normals for drawing. Normals are the surface's own, else of its triangles, else (a
+/// cloud) fitted to each point's neighbours and turned towards the side that the cloud bulges to.
+[[nodiscard]] vtkSmartPointer<vtkPolyData> displayGeometry(const Surface& surface);
+
+/// Whether both have the same points, triangles and given normals, so that only colours need to be drawn
+/// anew.
+[[nodiscard]] bool sameGeometry(const Surface& a, const Surface& b);
+
+}  // namespace falciform
