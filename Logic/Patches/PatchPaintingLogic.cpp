@@ -1,1 +1,189 @@
 #include "Logic/Patches/PatchPaintingLogic.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <map>
+#include <optional>
+
+#include "Logic/Patches/BrushSurface.h"
+
+namespace falciform {
+
+namespace {
+
+constexpr std::size_t kMaxSteps = 200;
+
+/// One of the two surfaces of the case, its labels as painted and its undo.
+struct Canvas {
+  std::shared_ptr<const Surface> surface;  ///< the one in the case, for as long as nobody else sets another
+  std::vector<int> labels;
+  std::optional<BrushSurface> brush;  ///< made at the first stroke
+  std::deque<PatchEdit> undo, redo;
+
+  void take(const std::shared_ptr<const Surface>& newSurface) {
+    surface = newSurface;
+    labels = surface ? surface->patch : std::vector<int>();
+    if (surface) labels.resize(static_cast<std::size_t>(surface->size()), patch::kNone);
+    undo.clear();
+    redo.clear();
+    if (brush && !(surface && brush->madeFrom(*surface))) brush.reset();
+  }
+
+  void assign(const std::vector<int>& ids, const std::vector<int>& values) {
+    for (std::size_t i = 0; i < ids.size(); ++i) labels[static_cast<std::size_t>(ids[i])] = values[i];
+  }
+
+  void remember(PatchEdit step) {
+    redo.clear();
+    undo.push_back(std::move(step));
+    if (undo.size() > kMaxSteps) undo.pop_front();
+  }
+};
+
+PatchEdit reversed(const PatchEdit& edit) { return {edit.ids, edit.after, edit.before}; }
+
+}  // namespace
+
+struct PatchPaintingLogic::State {
+  std::array<Canvas, 2> canvases;
+  std::optional<PaintTarget> strokeOn;
+  std::map<int, int> strokeBefore;  ///< of the running stroke: id, label before it
+  Connection watching;
+
+  Canvas& of(PaintTarget which) { return canvases[static_cast<std::size_t>(which)]; }
+
+  /// Another surface in the case: what was painted on the old one is history.
+  void follow(PaintTarget which, const std::shared_ptr<const Surface>& inCase) {
+    if (inCase == of(which).surface) return;  // our own edit
+    if (strokeOn == which) {
+      strokeOn.reset();
+      strokeBefore.clear();
+    }
+    of(which).take(inCase);
+  }
+
+  /// Puts the labels into the case as a new surface. The canvas takes it first, to know it again when the
+  /// case announces it.
+  void commit(PaintTarget which, Case& document) {
+    auto painted = std::make_shared<Surface>(*of(which).surface);
+    painted->patch = of(which).labels;
+    of(which).surface = painted;
+    if (which == PaintTarget::Preop)
+      document.setPreop(painted);
+    else
+      document.setScan(painted);
+  }
+};
+
+PatchPaintingLogic::PatchPaintingLogic(Case& document) : case_(document), state_(std::make_unique<State>()) {
+  state_->follow(PaintTarget::Preop, case_.preop());
+  state_->follow(PaintTarget::Scan, case_.scan());
+  state_->watching = case_.changed.connect([this](Case::Part part) {
+    if (part == Case::Part::Preop) state_->follow(PaintTarget::Preop, case_.preop());
+    if (part == Case::Part::Scan) state_->follow(PaintTarget::Scan, case_.scan());
+  });
+}
+
+PatchPaintingLogic::~PatchPaintingLogic() = default;
+
+std::string PatchPaintingLogic::missingInput() const {
+  const Canvas& canvas = state_->of(target);
+  if (canvas.surface && canvas.surface->size() > 0) return {};
+  return target == PaintTarget::Preop ? "Import or open a surface first." : "Open a scan first.";
+}
+
+void PatchPaintingLogic::beginStroke() {
+  if (inStroke()) endStroke();
+  if (!missingInput().empty()) return;
+  Canvas& canvas = state_->of(target);
+  if (!canvas.brush) canvas.brush.emplace(*canvas.surface);
+  state_->strokeOn = target;
+}
+
+PatchEdit PatchPaintingLogic::dab(int triangle, const Vector3d& hit, const Vector3d& viewDirection) {
+  PatchEdit edit;
+  if (!inStroke()) return edit;
+  Canvas& canvas = state_->of(*state_->strokeOn);
+  const double radius = std::clamp(radiusMm, 0.5, 60.0);
+  const int value = std::clamp(label, patch::kNone, patch::kMax);
+  for (const int id : canvas.brush->under(triangle, hit, viewDirection, radius)) {
+    int& current = canvas.labels[static_cast<std::size_t>(id)];
+    if (current == value) continue;
+    state_->strokeBefore.emplace(id, current);  // keeps the first value of the stroke
+    edit.ids.push_back(id);
+    edit.before.push_back(current);
+    edit.after.push_back(value);
+    current = value;
+  }
+  return edit;
+}
+
+PatchEdit PatchPaintingLogic::endStroke() {
+  PatchEdit edit;
+  if (!inStroke()) return edit;
+  const PaintTarget on = *state_->strokeOn;
+  Canvas& canvas = state_->of(on);
+  for (const auto& [id, before] : state_->strokeBefore) {
+    const int after = canvas.labels[static_cast<std::size_t>(id)];
+    if (after == before) continue;
+    edit.ids.push_back(id);
+    edit.before.push_back(before);
+    edit.after.push_back(after);
+  }
+  state_->strokeOn.reset();
+  state_->strokeBefore.clear();
+  if (edit.empty()) return edit;
+  canvas.remember(edit);
+  state_->commit(on, case_);
+  return edit;
+}
+
+bool PatchPaintingLogic::inStroke() const { return state_->strokeOn.has_value(); }
+
+const std::vector<int>& PatchPaintingLogic::labels() const { return state_->of(target).labels; }
+
+bool PatchPaintingLogic::canUndo() const { return !inStroke() && !state_->of(target).undo.empty(); }
+
+bool PatchPaintingLogic::canRedo() const { return !inStroke() && !state_->of(target).redo.empty(); }
+
+PatchEdit PatchPaintingLogic::undo() {
+  if (!canUndo()) return {};
+  Canvas& canvas = state_->of(target);
+  PatchEdit back = reversed(canvas.undo.back());
+  canvas.redo.push_back(std::move(canvas.undo.back()));
+  canvas.undo.pop_back();
+  canvas.assign(back.ids, back.after);
+  state_->commit(target, case_);
+  return back;
+}
+
+PatchEdit PatchPaintingLogic::redo() {
+  if (!canRedo()) return {};
+  Canvas& canvas = state_->of(target);
+  PatchEdit again = std::move(canvas.redo.back());
+  canvas.redo.pop_back();
+  canvas.undo.push_back(again);
+  canvas.assign(again.ids, again.after);
+  state_->commit(target, case_);
+  return again;
+}
+
+PatchEdit PatchPaintingLogic::clearPatch(int which) {
+  PatchEdit edit;
+  if (inStroke() || which == patch::kNone) return edit;
+  Canvas& canvas = state_->of(target);
+  for (std::size_t i = 0; i < canvas.labels.size(); ++i) {
+    if (canvas.labels[i] != which) continue;
+    edit.ids.push_back(static_cast<int>(i));
+    edit.before.push_back(which);
+    edit.after.push_back(patch::kNone);
+  }
+  if (edit.empty()) return edit;
+  canvas.assign(edit.ids, edit.after);
+  canvas.remember(edit);
+  state_->commit(target, case_);
+  return edit;
+}
+
+}  // namespace falciform

@@ -16,8 +16,9 @@ struct PatchEdit {
 /// Which surface of the case is painted on.
 enum class PaintTarget { Preop, Scan };
 
-/// The brush and its undo, without a window: the interactor hands over hits, the logic returns edits. Main thread only.
-/// A stroke is one undo step; a stroke that changes nothing leaves none. At most 200 steps are kept.
+/// The brush and its undo, without a window: the interactor hands over hits, the logic returns edits. Main
+/// thread only. A stroke is one undo step; a stroke that changes nothing leaves none. At most 200 steps are
+/// kept.
 class PatchPaintingLogic {
  public:
   explicit PatchPaintingLogic(Case& document);
@@ -30,8 +31,9 @@ class PatchPaintingLogic {
   /// What is missing before anything can be painted ("Import or open a surface first."), or empty.
   [[nodiscard]] std::string missingInput() const;
 
-  /// A stroke: begin, any number of dabs, end. `viewDirection` (towards the scene, in the surface's frame) keeps the brush on faces that look at the
-  /// camera; zero takes all. `triangle` -1: nearest point of a cloud. Returns what this dab changed, for live drawing.
+  /// A stroke: begin, any number of dabs, end. `viewDirection` (towards the scene, in the surface's frame)
+  /// keeps the brush on faces that look at the camera; zero takes all. `triangle` -1: nearest point of a
+  /// cloud. Returns what this dab changed, for live drawing.
   void beginStroke();
   PatchEdit dab(int triangle, const Vector3d& hit, const Vector3d& viewDirection = Vector3d::Zero());
   /// Writes the stroke into the Case (a new Surface) and returns it whole.
