@@ -1,17 +1,19 @@
 #include <vtkCellArray.h>
-#include <vtkCharArray.h>
 #include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPolyDataReader.h>
 #include <vtkPolyDataWriter.h>
+#include <vtkStringArray.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <limits>
+#include <map>
 
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/SurfaceFormats.h"
+#include "Logic/IO/VtpFieldTexts.h"
 #include "Logic/VtkBridge/PolyDataBridge.h"
 #include "Logic/VtkBridge/VtkErrors.h"
 
@@ -21,7 +23,8 @@ namespace {
 
 /// Runs a VTK reader on bytes in memory, and makes its complaints our error.
 template <class Reader>
-RawSurface readWith(Reader* reader, const std::string& name) {
+RawSurface readWith(Reader* reader, const std::string& name,
+                    const std::map<std::string, std::vector<std::string>>& texts = {}) {
   std::string problem;
   try {
     problem = vtkErrorsOf([&] { reader->Update(); });
@@ -34,6 +37,12 @@ RawSurface readWith(Reader* reader, const std::string& name) {
     throw InputError(name + " is damaged or truncated (" + problem + "); copy or export it again");
   RawSurface raw;
   vtkPolyData* data = reader->GetOutput();
+  for (const auto& [key, values] : texts) {
+    vtkNew<vtkStringArray> array;
+    array->SetName(key.c_str());
+    for (const std::string& value : values) array->InsertNextValue(value);
+    data->GetFieldData()->AddArray(array);
+  }
   try {
     raw.surface = fromVtk(data);
   } catch (const InputError& error) {
@@ -66,10 +75,11 @@ RawSurface readVtp(const std::string& bytes, const std::string& name) {
   if (bytes.find("type=\"PolyData\"") == std::string::npos)
     throw InputError(
         name + " holds no polygonal surface (type=\"PolyData\"); extract the surface and export it as .vtp");
+  VtpFieldTexts file = takeFieldTexts(bytes);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->ReadFromInputStringOn();
-  reader->SetInputString(bytes);
-  return readWith(reader.Get(), name);
+  reader->SetInputString(std::move(file.fileWithout));
+  return readWith(reader.Get(), name, file.texts);
 }
 
 RawSurface readLegacyVtk(const std::string& bytes, const std::string& name) {
