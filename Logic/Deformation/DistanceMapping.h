@@ -8,22 +8,28 @@
 namespace falciform {
 
 struct DistanceSettings {
-  double reachMm = 10;          ///< a place is covered if the other surface lies within this
-  double normalLimitDeg = 80;   ///< and the two normals differ by less than this (where both have normals)
+  double reachMm = 10;         ///< a place is covered if the other surface lies within this
+  double normalLimitDeg = 80;  ///< and the two normals differ by less than this (where both have normals)
 };
 
 template <class Visitor>
 void describe(DistanceSettings& s, Visitor&& field) {
-  field(FieldInfo{"reachMm", "Reach", "mm", 0.1, 200, "A place is covered if the scan comes this near; beyond it there is no value."}, s.reachMm);
-  field(FieldInfo{"normalLimitDeg", "Normal limit", "deg", 1, 180, "Opposed surfaces do not cover each other: largest angle between normals."}, s.normalLimitDeg);
+  field(FieldInfo{"reachMm", "Reach", "mm", 0.1, 200,
+                  "A place is covered if the scan comes this near; beyond it there is no value."},
+        s.reachMm);
+  field(FieldInfo{"normalLimitDeg", "Normal limit", "deg", 1, 180,
+                  "Opposed surfaces do not cover each other: largest angle between normals."},
+        s.normalLimitDeg);
 }
 
-/// Signed distance where covered, NaN elsewhere, on both sides (thesis ch. IV; METHODS 3.1). `scanFromPreop` brings the pre-op surface into the scan's frame.
-/// Sign: positive where the scan lies outside the pre-op surface. At scan points: exact point to triangle. At pre-op vertices: to the scan's triangles,
-/// or its points if it is a cloud; a place whose nearest scan place is on the scan's border and beyond it sideways is not covered.
-/// Throws InputError if the pre-op surface has no triangles or the scan no points.
-[[nodiscard]] DistanceMap mapDistances(const Surface& preop, const Surface& scan, const Isometry3d& scanFromPreop,
-                                       const DistanceSettings& settings = {}, const Progress& progress = {});
+/// Signed distance where covered, NaN elsewhere, on both sides (thesis ch. IV; METHODS 3.1). `scanFromPreop`
+/// brings the pre-op surface into the scan's frame. Sign: positive where the scan lies outside the pre-op
+/// surface. At scan points: exact point to triangle. At pre-op vertices: to the scan's triangles, or its
+/// points if it is a cloud; a place whose nearest scan place is on the scan's border and beyond it sideways
+/// is not covered. Throws InputError if the pre-op surface has no triangles or the scan no points.
+[[nodiscard]] DistanceMap mapDistances(const Surface& preop, const Surface& scan,
+                                       const Isometry3d& scanFromPreop, const DistanceSettings& settings = {},
+                                       const Progress& progress = {});
 
 /// Over the values that are not NaN.
 [[nodiscard]] DistanceStatistics distanceStatistics(const VectorXd& values);
