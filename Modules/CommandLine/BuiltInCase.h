@@ -1,0 +1,58 @@
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "Logic/Acquisition/SyntheticLiver.h"
+#include "Logic/Acquisition/VirtualScanner.h"
+#include "Modules/CommandLine/Outputs.h"
+
+namespace falciform::commandline {
+
+/// What happens to the built-in liver between its CT and its scan.
+struct BuiltInChangeSettings {
+  double deformationMm =
+      6;  ///< largest displacement: the left lobe sinks back, the right lobe is pushed up from below
+  double landmarkErrorMm = 3;  ///< standard deviation of the surgeon's touch, per axis
+  int seed = 1;
+};
+
+template <class Visitor>
+void describe(BuiltInChangeSettings& s, Visitor&& field) {
+  field(FieldInfo{"deformationMm", "Deformation", "mm", 0, 60,
+                  "Largest displacement between CT and scan, about; 0: rigid."},
+        s.deformationMm);
+  field(FieldInfo{"landmarkErrorMm", "Landmark error", "mm", 0, 30,
+                  "Standard deviation of the scan landmarks, per axis."},
+        s.landmarkErrorMm);
+  field(FieldInfo{"seed", "Seed", "", 0, 2147483647, "Draws the landmark error."}, s.seed);
+}
+
+struct BuiltInCaseSettings {
+  SyntheticLiverSettings liver;
+  VirtualScannerSettings scanner;
+  BuiltInChangeSettings change;
+};
+
+struct BuiltInCase {
+  SyntheticLiver liver;  ///< LPS mm, as the CT saw it
+  LabelMap labelMap;
+  VirtualScan scan;         ///< of the deformed liver, in the scanner's frame
+  Landmarks scanLandmarks;  ///< the anatomical landmarks as touched, scan mm
+  Landmarks truthTargets;   ///< liver.targets where they truly are, scan mm
+};
+
+/// Displacement, mm, of a liver point in LPS mm: smooth, largest about `settings.deformationMm` at the ends
+/// of the box. `box`: rows lowest and highest corner of the liver.
+[[nodiscard]] Vector3d builtInDisplacement(const Vector3d& point, const Eigen::Matrix<double, 2, 3>& box,
+                                           const BuiltInChangeSettings& settings);
+
+/// Liver, label map, and a scan of the deformed liver with known truth. Deterministic by the settings.
+[[nodiscard]] BuiltInCase makeBuiltInCase(const BuiltInCaseSettings& settings, const Progress& progress = {});
+
+/// The files of a case folder: case.json, label map, painted surface, scan, landmarks, structures, targets,
+/// truth.
+[[nodiscard]] std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path& folder);
+/// Writes them, announced before, so that `falciform run FOLDER` works.
+void writeBuiltInCase(const BuiltInCase& made, const std::filesystem::path& folder, const Outputs& outputs);
+
+}  // namespace falciform::commandline

@@ -1,0 +1,70 @@
+#include "Modules/CommandLine/CommandRun.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/SurfaceFiles.h"
+#include "Logic/IO/TransformFiles.h"
+#include "Logic/IO/VolumeFiles.h"
+
+namespace falciform::commandline {
+
+namespace fs = std::filesystem;
+
+void CommandRun::warn(const std::string& warning) {
+  auto& known = provenance.warnings;
+  if (std::find(known.begin(), known.end(), warning) != known.end()) return;
+  known.push_back(warning);
+  clearLine();
+  std::cerr << "warning: " << warning << std::endl;
+}
+
+void CommandRun::warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) warn(warning);
+}
+
+void CommandRun::flushLines() const {
+  if (quiet) return;
+  for (const std::string& line : lines_) std::cout << line << '\n';
+}
+
+void CommandRun::remember(const fs::path& file) {
+  // The name alone: folders may name a patient.
+  std::pair<std::string, std::string> entry{file.filename().string(), sha256OfFile(file)};
+  auto& known = provenance.inputSha256;
+  if (std::find(known.begin(), known.end(), entry) == known.end()) known.push_back(std::move(entry));
+}
+
+template <class T>
+T CommandRun::keep(Loaded<T> loaded, const fs::path& file) {
+  remember(file);
+  const std::string name = file.filename().string();
+  for (const std::string& warning : loaded.warnings)
+    warn(warning.find(name) == std::string::npos ? name + ": " + warning : warning);
+  return std::move(loaded.value);
+}
+
+Surface CommandRun::surface(const fs::path& file) { return keep(readSurface(file), file); }
+LabelMap CommandRun::labelMap(const fs::path& file) { return keep(readLabelMap(file), file); }
+Landmarks CommandRun::landmarks(const fs::path& file) { return keep(readLandmarks(file), file); }
+Isometry3d CommandRun::transform(const fs::path& file) {
+  return keep(Loaded<Isometry3d>{readTransform(file), {}}, file);
+}
+
+nlohmann::json CommandRun::sidecar() const {
+  nlohmann::json json = toJson(provenance);
+  json["settings"] = settings;
+  json["frames"] = frames;
+  json["units"] = "mm unless the key says otherwise (_mm, _mm2, _mm3, _deg, _s)";
+  json["figures"] = figures;
+  return json;
+}
+
+void CommandRun::writeSidecar(const fs::path& file) {
+  writeTextFile(outputs.staged(file), Overwrite::Replace, sidecar().dump(2) + "\n");
+}
+
+fs::path sidecarOf(const fs::path& file) { return file.string() + ".json"; }
+
+}  // namespace falciform::commandline

@@ -1,0 +1,62 @@
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "Logic/Core/Landmarks.h"
+#include "Logic/Core/Progress.h"
+#include "Logic/Core/Provenance.h"
+#include "Logic/Core/Surface.h"
+#include "Logic/Core/Volume.h"
+#include "Logic/IO/Loaded.h"
+#include "Modules/CommandLine/Outputs.h"
+
+namespace falciform::commandline {
+
+/// What a command works with beside its arguments: progress, inputs that are remembered with their digests,
+/// warnings that are said once, outputs that appear all or none, and the sidecar that tells of all these.
+class CommandRun {
+ public:
+  Progress progress;
+  Outputs outputs;
+  Provenance provenance;
+  bool quiet = false;
+  std::function<void()> clearLine = [] {
+  };  ///< takes the progress line off the terminal before anything else is printed
+  nlohmann::json settings = nlohmann::json::object();
+  nlohmann::json figures = nlohmann::json::object();  ///< units in the keys
+  nlohmann::json frames = nlohmann::json::object();   ///< what is in which coordinates, in words
+
+  /// One warning, on stderr at once and in the sidecar; the same words are not repeated.
+  void warn(const std::string& warning);
+  void warn(const std::vector<std::string>& warnings);
+  /// One line for stdout, printed when all is written; unless --quiet.
+  void say(const std::string& line) { lines_.push_back(line); }
+  void flushLines() const;
+
+  // Readers: value, warnings and SHA-256 in one call. Warnings name the file.
+  [[nodiscard]] Surface surface(const std::filesystem::path& file);
+  [[nodiscard]] LabelMap labelMap(const std::filesystem::path& file);
+  [[nodiscard]] Landmarks landmarks(const std::filesystem::path& file);
+  [[nodiscard]] Isometry3d transform(const std::filesystem::path& file);
+  /// Remembers another input file.
+  void remember(const std::filesystem::path& file);
+
+  /// Provenance, settings, frames, units and figures as they stand.
+  [[nodiscard]] nlohmann::json sidecar() const;
+  /// Writes the sidecar as an announced output.
+  void writeSidecar(const std::filesystem::path& file);
+
+ private:
+  template <class T>
+  T keep(Loaded<T> loaded, const std::filesystem::path& file);
+
+  std::vector<std::string> lines_;
+};
+
+/// `liver.vtp` -> `liver.vtp.json`.
+[[nodiscard]] std::filesystem::path sidecarOf(const std::filesystem::path& file);
+
+}  // namespace falciform::commandline

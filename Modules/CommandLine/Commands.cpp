@@ -1,0 +1,19 @@
+#include "Modules/CommandLine/Commands.h"
+
+namespace falciform::commandline {
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> all{importCommand(),     patchesCommand(), registerCommand(),
+                                        distanceCommand(),   runCommand(),     demoCommand(),
+                                        synthesiseCommand(), infoCommand()};
+  return all;
+}
+
+Syntax syntaxOf(const Command& command) {
+  Syntax syntax(command.name, command.title, command.summary);
+  command.declare(syntax);
+  addGlobalArguments(syntax);
+  return syntax;
+}
+
+}  // namespace falciform::commandline

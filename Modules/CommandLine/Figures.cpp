@@ -1,0 +1,47 @@
+#include "Modules/CommandLine/Figures.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "Logic/Geometry/Measures.h"
+
+namespace falciform::commandline {
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return "-";
+  char text[400];  // the largest double has 309 digits before the point
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr;
+  const std::string shown(text, end);
+  const bool zero = shown.find_first_of("123456789") == std::string::npos;
+  return zero && shown[0] == '-' ? shown.substr(1) : shown;
+}
+
+nlohmann::json toJson(const SurfaceImportResult& result) {
+  return {{"points", result.surface.size()},
+          {"triangles", result.surface.triangles.rows()},
+          {"topology", describeTopology(result.topology)},
+          {"closed_manifold", result.topology.closedManifold()},
+          {"surface_volume_mm3", result.surfaceVolumeMm3},
+          {"voxel_volume_mm3", result.voxelVolumeMm3},
+          {"area_mm2", area(result.surface)},
+          {"mean_edge_mm", meanEdgeLength(result.surface)},
+          {"selected_voxels", result.selectedVoxels},
+          {"dropped_voxels", result.droppedVoxels},
+          {"filled_voxels", result.filledVoxels}};
+}
+
+nlohmann::json toJson(const std::vector<PatchStatistics>& patches) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const PatchStatistics& patch : patches)
+    json.push_back({{"label", patch.label},
+                    {"name", patch.name},
+                    {"points", patch.points},
+                    {"area_mm2", patch.areaMm2},
+                    {"length_mm", patch.lengthMm},
+                    {"width_mm", patch.widthMm},
+                    {"pieces", patch.pieces},
+                    {"centroid_mm", {patch.centroid.x(), patch.centroid.y(), patch.centroid.z()}}});
+  return json;
+}
+
+}  // namespace falciform::commandline

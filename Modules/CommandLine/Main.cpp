@@ -1,0 +1,124 @@
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+#include "Logic/Core/Parallel.h"
+#include "Modules/CommandLine/Commands.h"
+#include "Modules/CommandLine/HelpText.h"
+#include "Modules/CommandLine/ReturnParameters.h"
+#include "Modules/CommandLine/SlicerXml.h"
+#include "Modules/CommandLine/TerminalProgress.h"
+#include "Version.h"
+
+namespace falciform::commandline {
+namespace {
+
+enum ExitCode { kDone = 0, kOwnFault = 1, kInputOrUsage = 2, kCancelled = 130 };
+
+/// The call as typed, folders left out: they may name a patient.
+std::string callWithoutFolders(const std::vector<std::string>& words) {
+  std::string text = "falciform";
+  for (const std::string& word : words) {
+    const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
+    const std::string head = equals == std::string::npos ? "" : word.substr(0, equals + 1);
+    std::string tail = word.substr(head.size());
+    if (tail.find('/') != std::string::npos) {
+      const std::filesystem::path path = std::filesystem::path(tail).lexically_normal();
+      tail = (path.has_filename() ? path : path.parent_path()).filename().string();
+    }
+    text += " " + head + tail;
+  }
+  return text;
+}
+
+ProgressStyle progressStyle(const ParsedArguments& arguments) {
+  if (arguments.has("slicer-progress")) return ProgressStyle::Slicer;
+  return !arguments.has("quiet") && isatty(STDERR_FILENO) ? ProgressStyle::Terminal : ProgressStyle::Silent;
+}
+
+void execute(const Command& command, const Syntax& syntax, const ParsedArguments& arguments,
+             const std::string& call, const std::stop_source& stop) {
+  setThreads(arguments.integer("threads"));
+  const ProgressStyle style = progressStyle(arguments);
+  CommandRun run;
+  run.progress = makeProgress(style, stop.get_token());
+  run.quiet = arguments.has("quiet") || style == ProgressStyle::Slicer;
+  run.outputs.overwrite = arguments.has("force") ? Overwrite::Replace : Overwrite::Refuse;
+  run.provenance.command = call;
+  run.provenance.startedUtc = utcNow();
+  run.provenance.seed = static_cast<std::uint64_t>(arguments.integer("seed"));
+  run.provenance.threads = threads();
+  run.clearLine = [style] { clearProgressLine(style); };
+  const bool report = arguments.has("report");
+  if (report) run.outputs.announce(arguments.path("report"));
+  command.run(arguments, run);
+  run.progress.report(1.0, "Writing");
+  if (report) run.writeSidecar(arguments.path("report"));
+  run.outputs.commit();
+  run.clearLine();
+  if (arguments.has("returnparameterfile"))
+    writeTextFile(arguments.path("returnparameterfile"), Overwrite::Replace,
+                  returnParameters(syntax.results(), run.figures));
+  run.flushLines();
+}
+
+void dispatch(const std::vector<std::string>& words, const std::stop_source& stop) {
+  const std::string first = words.empty() ? "" : words.front();
+  if (first == "--version") {
+    std::cout << "falciform " << kVersion << '\n';
+    return;
+  }
+  if (first == "--help" || first == "-h" || first == "help") {
+    std::cout << overviewText();
+    return;
+  }
+  if (words.empty()) throw InputError("no command given; see falciform --help");
+  for (const Command& command : commands()) {
+    if (command.name != first) continue;
+    const Syntax syntax = syntaxOf(command);
+    const ParsedArguments arguments(syntax, {words.begin() + 1, words.end()});
+    if (arguments.has("help"))
+      std::cout << helpText(syntax);
+    else if (arguments.has("xml"))
+      std::cout << slicerXml(syntax);
+    else
+      execute(command, syntax, arguments, callWithoutFolders(words), stop);
+    return;
+  }
+  throw InputError("there is no command '" + first + "'; see falciform --help");
+}
+
+int fail(int code, std::string message) {
+  for (char& c : message)
+    if (c == '\n' || c == '\r') c = ' ';
+  std::cerr << "falciform: " << message << std::endl;
+  return code;
+}
+
+int guarded(const std::vector<std::string>& words) {
+  const std::stop_source stop = stopOnSignals();
+  try {
+    dispatch(words, stop);
+    std::cout.flush();
+    if (!std::cout) return fail(kInputOrUsage, "cannot write to standard output; is the disk full?");
+    return kDone;
+  } catch (const InputError& error) {
+    return fail(kInputOrUsage, error.what());
+  } catch (const Cancelled&) {
+    return fail(kCancelled, "cancelled; nothing was written");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(kInputOrUsage, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kOwnFault, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(kOwnFault, std::string("a fault of the program: ") + error.what());
+  }
+}
+
+}  // namespace
+}  // namespace falciform::commandline
+
+int main(int count, char** values) { return falciform::commandline::guarded({values + 1, values + count}); }

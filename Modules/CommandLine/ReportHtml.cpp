@@ -1,0 +1,76 @@
+#include "Modules/CommandLine/ReportHtml.h"
+
+#include "Modules/CommandLine/HtmlText.h"
+#include "Modules/CommandLine/ReportTables.h"
+#include "Modules/CommandLine/SlicerXml.h"
+#include "Version.h"
+
+namespace falciform::commandline {
+
+namespace {
+
+std::string card(const std::string& figure, const std::string& meaning) {
+  return "<div class=\"card\"><b>" + escaped(figure) + "</b><span>" + escaped(meaning) + "</span></div>\n";
+}
+
+std::string cards(const CaseOutcome& outcome) {
+  const RegistrationResult& fit = *outcome.registration;
+  std::string html =
+      "<div class=\"cards\">\n" + card(fixed(fit.rmsMm, 2) + " mm", "RMS residual: fit, not target error");
+  if (outcome.targetError) {
+    html += card(fixed(outcome.targetError->meanMm, 2) + " mm",
+                 "mean target error over " + std::to_string(outcome.targetError->names.size()) +
+                     " targets with known truth");
+    html += card(fixed(outcome.targetError->optimalRigidMeanMm, 2) + " mm",
+                 "least mean target error of any rigid motion, about");
+  }
+  html += card(fixed(100 * fit.coverage, 0) + " %", "of the pre-op surface within reach of the scan");
+  html += card(fixed(outcome.distance->preopAll.p95Absolute, 1) + " mm",
+               "95 % of covered places lie nearer to the scan than this");
+  html +=
+      card(std::to_string(fit.basins.size()),
+           fit.basins.size() == 1 ? "pose found: all starts agree" : "different poses found by the starts");
+  return html + "</div>\n";
+}
+
+std::string warningList(const Provenance& provenance) {
+  if (provenance.warnings.empty()) return htmlParagraph("No warnings.", "soft");
+  std::string html = "<ul class=\"warnings\">\n";
+  for (const std::string& warning : provenance.warnings) html += "<li>" + escaped(warning) + "</li>\n";
+  return html + "</ul>\n";
+}
+
+std::string pictureGrid(const std::vector<PictureFile>& pictures) {
+  std::string html = "<div class=\"pictures\">\n";
+  for (const PictureFile& picture : pictures) {
+    const std::string caption = escaped(picture.caption);
+    html += "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + base64OfFile(picture.file) +
+            "\"><figcaption>" + caption + "</figcaption></figure>\n";
+  }
+  return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string reportHtml(const CaseOutcome& outcome, const CaseSettings& settings, const Provenance& provenance,
+                       const std::vector<PictureFile>& pictures) {
+  const std::string notice = escaped(kResearchUse);
+  std::string body =
+      "<div class=\"banner\">" + notice + "</div>\n<main>\n<h1>" + escaped(outcome.name) + "</h1>\n";
+  body += htmlParagraph(
+      "Rigid registration of an intra-operative scan to the pre-operative liver, and the distance that "
+      "remains. " +
+          provenance.startedUtc + ", Falciform " + kVersion + ".",
+      "soft");
+  body += cards(outcome) + warningList(provenance);
+  body += htmlSection("Pictures", pictureGrid(pictures));
+  body += surfaceSection(outcome) + patchSection(outcome) + registrationSection(outcome) +
+          targetSection(outcome) + distanceSection(outcome) + settingsSection(settings) +
+          provenanceSection(provenance);
+  body += "<footer>" + notice +
+          ". Lengths in mm. A small residual says that the surfaces fit, not that a point inside the liver "
+          "is where it is shown.</footer>\n</main>\n";
+  return htmlPage(outcome.name + ": Falciform report", body);
+}
+
+}  // namespace falciform::commandline

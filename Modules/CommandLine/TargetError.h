@@ -1,0 +1,29 @@
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "Logic/Core/Landmarks.h"
+#include "Logic/Core/Types.h"
+
+namespace falciform::commandline {
+
+/// How far targets land from where they truly are: the error that matters, known only where there is truth.
+struct TargetError {
+  std::vector<std::string> names;
+  VectorXd errorsMm;
+  double meanMm = 0, rmsMm = 0, maxMm = 0;
+  double startMeanMm = 0;         ///< before the registration
+  double optimalRigidMeanMm = 0;  ///< of the rigid motion fitted to the targets themselves: the rest is
+                                  ///< deformation; NaN below 3 targets
+};
+
+/// Targets (pre-op mm) through `scanFromPreop` against `truth` (scan mm), paired by name where all names of
+/// both lists agree, else by order. Throws InputError if the lists are empty or of different length.
+[[nodiscard]] TargetError measureTargetError(const Landmarks& targets, const Landmarks& truth,
+                                             const Isometry3d& scanFromPreop,
+                                             const Isometry3d& scanFromPreopStart);
+
+[[nodiscard]] nlohmann::json toJson(const TargetError& error);
+
+}  // namespace falciform::commandline
