@@ -7,7 +7,8 @@ namespace falciform {
 
 /// A laser range scanner: where it stands, what it sees, how it errs.
 struct VirtualScannerSettings {
-  double azimuthDeg = 20;      ///< viewpoint: from anterior (0) towards the patient's right (positive), about the body axis
+  double azimuthDeg =
+      20;  ///< viewpoint: from anterior (0) towards the patient's right (positive), about the body axis
   double elevationDeg = -25;   ///< from horizontal; negative looks up from the feet
   double distanceMm = 450;     ///< from the surface's centroid
   double fieldOfViewDeg = 35;  ///< of the longer side of the raster
@@ -22,26 +23,37 @@ struct VirtualScannerSettings {
 
 template <class Visitor>
 void describe(VirtualScannerSettings& s, Visitor&& field) {
-  field(FieldInfo{"azimuthDeg", "Azimuth", "deg", -180, 180, "Viewpoint from the front (0) towards the patient's right."}, s.azimuthDeg);
-  field(FieldInfo{"elevationDeg", "Elevation", "deg", -89, 89, "Viewpoint above (+) or below (-) the horizontal."}, s.elevationDeg);
+  field(FieldInfo{"azimuthDeg", "Azimuth", "deg", -180, 180,
+                  "Viewpoint from the front (0) towards the patient's right."},
+        s.azimuthDeg);
+  field(FieldInfo{"elevationDeg", "Elevation", "deg", -89, 89,
+                  "Viewpoint above (+) or below (-) the horizontal."},
+        s.elevationDeg);
   field(FieldInfo{"distanceMm", "Distance", "mm", 100, 2000, "From the surface's centroid."}, s.distanceMm);
-  field(FieldInfo{"fieldOfViewDeg", "Field of view", "deg", 5, 90, "Angle of the raster's longer side."}, s.fieldOfViewDeg);
+  field(FieldInfo{"fieldOfViewDeg", "Field of view", "deg", 5, 90, "Angle of the raster's longer side."},
+        s.fieldOfViewDeg);
   field(FieldInfo{"lines", "Lines", "", 2, 500, "Raster lines."}, s.lines);
   field(FieldInfo{"samples", "Samples", "", 2, 512, "Samples a line."}, s.samples);
   field(FieldInfo{"stride", "Stride", "", 1, 16, "Keep every n-th line and sample."}, s.stride);
   field(FieldInfo{"noiseMm", "Noise", "mm", 0, 20, "Standard deviation along the ray."}, s.noiseMm);
-  field(FieldInfo{"windowShare", "Window", "", 0.05, 1, "Central share of the raster that is kept, each way."}, s.windowShare);
-  field(FieldInfo{"grazingDeg", "Grazing limit", "deg", 30, 90, "Rays flatter than this to the surface are lost."}, s.grazingDeg);
+  field(
+      FieldInfo{"windowShare", "Window", "", 0.05, 1, "Central share of the raster that is kept, each way."},
+      s.windowShare);
+  field(FieldInfo{"grazingDeg", "Grazing limit", "deg", 30, 90,
+                  "Rays flatter than this to the surface are lost."},
+        s.grazingDeg);
   field(FieldInfo{"seed", "Seed", "", 0, 2147483647, "Draws the noise and the scanner's frame."}, s.seed);
 }
 
 struct VirtualScan {
-  Surface scan;               ///< in the scanner's own frame ("scanner"), triangulated raster, patches carried over, colours
-  Isometry3d scanFromPreop;   ///< the truth: maps the surface's frame to the scanner's
-  double coverage = 0;        ///< share of the surface's area that was seen
+  Surface
+      scan;  ///< in the scanner's own frame ("scanner"), triangulated raster, patches carried over, colours
+  Isometry3d scanFromPreop;  ///< the truth: maps the surface's frame to the scanner's
+  double coverage = 0;       ///< share of the surface's area that was seen
 };
 
-/// Casts the raster's rays at the surface and keeps the first hits. The scanner's frame is turned and moved at random by the seed. Throws InputError if nothing is seen.
+/// Casts the raster's rays at the surface and keeps the first hits. The scanner's frame is turned and moved
+/// at random by the seed. Throws InputError if nothing is seen.
 [[nodiscard]] VirtualScan scanSurface(const Surface& surface, const VirtualScannerSettings& settings,
                                       const Progress& progress = {});
 
