@@ -155,8 +155,12 @@ std::map<int, DistanceStatistics> statisticsByPatch(const Surface& surface, cons
 
 double coveredShare(const Surface& surface, const VectorXd& values) {
   const VectorXd areas = vertexAreas(surface);
-  const double covered = values.array().isNaN().select(0.0, areas.array()).sum();
-  return areas.sum() > 0 ? covered / areas.sum() : 0;
+  double covered = 0, whole = 0;
+  for (Index i = 0; i < areas.size(); ++i) {
+    whole += areas[i];
+    covered += std::isnan(values[i]) ? 0 : areas[i];  // in the same order, so that all of it is exactly 1
+  }
+  return whole > 0 ? covered / whole : 0;
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ bool beyondCloud(const KdTree& cloud, const Points& points, int nearest, const V
   const std::vector<Neighbour> around = cloud.nearest(foot, 7);
   for (const Neighbour& neighbour : around) spacing += std::sqrt(neighbour.squaredDistance);
   spacing /= std::max<double>(1, static_cast<double>(around.size()) - 1);  // the first is the point itself
-  if (inPlane(nearest).norm() <= spacing) return false;
+  if (inPlane(nearest).norm() <= 0.5 * spacing) return false;
 
   std::vector<double> bearings;
   const Vector3d east = normal.unitOrthogonal(), north = normal.cross(east);

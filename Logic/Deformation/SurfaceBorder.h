@@ -28,7 +28,7 @@ class SurfaceBorder {
 [[nodiscard]] bool leadsAside(const Vector3d& offset, const Vector3d& normal, const Vector3d& otherNormal);
 
 /// True if a cloud lies all on one side of `query`, seen along `normal`: the points about the nearest one
-/// leave a half-plane free. Not asked within one local spacing of the nearest point `nearest`, mm.
+/// leave a half-plane free. Not asked within half a local spacing of the nearest point `nearest`, mm.
 [[nodiscard]] bool beyondCloud(const KdTree& cloud, const Points& points, int nearest, const Vector3d& query,
                                const Vector3d& normal);
 
