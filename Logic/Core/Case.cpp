@@ -9,6 +9,13 @@ void Case::announce(Part part) {
   changed.emit(part);
 }
 
+void Case::announceWithoutDistance(Part part) {
+  const bool dropped = distance_ != nullptr;
+  distance_.reset();  // first: whoever hears of the new part must not find a map of the old one
+  announce(part);
+  if (dropped && !distance_) announce(Part::Distance);
+}
+
 void Case::setLabels(std::shared_ptr<const LabelMap> labels) {
   labels_ = std::move(labels);
   announce(Part::Labels);
@@ -17,15 +24,13 @@ void Case::setLabels(std::shared_ptr<const LabelMap> labels) {
 void Case::setPreop(std::shared_ptr<const Surface> surface) {
   preop_ = std::move(surface);
   registrationStale_ = registration_ != nullptr;
-  announce(Part::Preop);
-  if (distance_) setDistance(nullptr);
+  announceWithoutDistance(Part::Preop);
 }
 
 void Case::setScan(std::shared_ptr<const Surface> scan) {
   scan_ = std::move(scan);
   registrationStale_ = registration_ != nullptr;
-  announce(Part::Scan);
-  if (distance_) setDistance(nullptr);
+  announceWithoutDistance(Part::Scan);
 }
 
 void Case::setStructure(const std::string& name, std::shared_ptr<const Surface> surface) {
@@ -49,8 +54,7 @@ void Case::setScanLandmarks(Landmarks landmarks) {
 void Case::setRegistration(std::shared_ptr<const RegistrationResult> result) {
   registration_ = std::move(result);
   registrationStale_ = false;
-  announce(Part::Registration);
-  if (distance_) setDistance(nullptr);
+  announceWithoutDistance(Part::Registration);
 }
 
 void Case::setDistance(std::shared_ptr<const DistanceMap> map) {

@@ -66,6 +66,7 @@ class Case {
 
  private:
   void announce(Part part);
+  void announceWithoutDistance(Part part);
 
   std::shared_ptr<const LabelMap> labels_;
   std::shared_ptr<const Surface> preop_, scan_;

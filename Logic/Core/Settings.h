@@ -16,11 +16,12 @@ namespace falciform {
 /// beside it; JSON, range checks, command-line flags, Slicer's XML description and the panel's form all come
 /// from it. Members may be bool, int, double, std::string, std::vector<int>, or an enum with `enumNames(E)`.
 struct FieldInfo {
-  std::string_view key;     ///< camelCase, as in JSON; `--kebab-case` on the command line
-  std::string_view label;   ///< as on screen
-  std::string_view unit;    ///< "mm", "deg", "" for a pure number
-  double min = 0, max = 0;  ///< range of a number, both ends allowed; ignored for other types
-  std::string_view help;    ///< one sentence
+  std::string_view key;    ///< camelCase, as in JSON; `--kebab-case` on the command line
+  std::string_view label;  ///< as on screen
+  std::string_view unit;   ///< "mm", "deg", "" for a pure number
+  double min = 0,
+         max = 0;  ///< range of a number or of a list's entries, both ends allowed; ignored for other types
+  std::string_view help;  ///< one sentence
 };
 
 /// The names of an enum's values, in order from 0: found by argument-dependent look-up beside each enum.
@@ -96,12 +97,18 @@ template <class S>
     } else if constexpr (std::is_same_v<T, double>) {
       if (!found->is_number()) refuseJson(info, *found, "a number");
       value = found->template get<double>();
-    } else {
-      try {
-        value = found->template get<T>();
-      } catch (const nlohmann::json::exception&) {
-        refuseJson(info, *found, std::is_same_v<T, std::string> ? "a text" : "a list of whole numbers");
+    } else if constexpr (std::is_same_v<T, std::vector<int>>) {
+      if (!found->is_array()) refuseJson(info, *found, "a list of whole numbers");
+      value.clear();
+      for (const auto& entry : *found) {
+        if (!entry.is_number_integer()) refuseJson(info, *found, "a list of whole numbers");
+        checkRange(info, entry.template get<double>());
+        value.push_back(entry.template get<int>());
       }
+    } else {
+      static_assert(std::is_same_v<T, std::string>, "a setting of a kind that JSON cannot hold");
+      if (!found->is_string()) refuseJson(info, *found, "a text");
+      value = found->template get<std::string>();
     }
   });
   for (const auto& [key, unused] : json.items())

@@ -100,6 +100,7 @@ std::vector<std::size_t> spatialAxes(const NrrdHeader& header, const std::vector
 
 void placeByDirections(VolumeLayout& layout, const NrrdHeader& header,
                        const std::vector<std::int64_t>& sizes) {
+  Vector3d scale = lpsSigns(layout, header);
   const auto directions = nrrdVectors(header, "spacedirections");
   if (directions.size() != sizes.size())
     refuseVolume(layout.file, "its header has " + std::to_string(directions.size()) +
@@ -110,7 +111,6 @@ void placeByDirections(VolumeLayout& layout, const NrrdHeader& header,
   const std::vector<std::size_t> axes = spatialAxes(header, sizes, inSpace);
   layout.size = checkedSize(layout.file, sizes[axes[0]], sizes[axes[1]], sizes[axes[2]]);
 
-  Vector3d scale = lpsSigns(layout, header);
   if (const std::string* units = header.field("spaceunits")) {
     const std::vector<std::string> names = nrrdTexts(*units);
     for (std::size_t d = 0; d < 3 && d < names.size(); ++d)

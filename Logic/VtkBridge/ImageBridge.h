@@ -6,7 +6,9 @@
 
 namespace falciform {
 
-/// Copies with origin, spacing and direction matrix set from worldFromIndex (a shear is refused).
+/// Copies with origin, spacing and direction matrix set from worldFromIndex, left-handed grids included; one
+/// scalar array, "Label" or "Intensity". Throws InputError if the axes are not perpendicular (cosine above
+/// 1e-4).
 [[nodiscard]] vtkSmartPointer<vtkImageData> toVtk(const LabelMap& volume);
 [[nodiscard]] vtkSmartPointer<vtkImageData> toVtk(const Image& volume);
 
