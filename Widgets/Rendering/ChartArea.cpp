@@ -9,6 +9,8 @@
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
+#include "Widgets/Rendering/ScalarMap.h"
+
 namespace falciform {
 
 namespace {
@@ -35,6 +37,7 @@ ChartArea::ChartArea(vtkRenderer* renderer, int textPx, const Vector3d& textColo
     format(axis->GetLabelProperties(), textPx, textColour, false);
     axis->GetGridPen()->SetColor(225, 225, 225);
     axis->GetPen()->SetWidth(1);
+    axis->SetGridVisible(side != vtkAxis::RIGHT);
   }
   format(chart_->GetLegend()->GetLabelProperties(), textPx, textColour, false);
   chart_->GetLegend()->SetLabelSize(textPx);
@@ -66,6 +69,16 @@ void ChartArea::fit() {
 void ChartArea::setTitle(const std::string& title) { chart_->SetTitle(title); }
 
 void ChartArea::setAxisTitle(int axis, const std::string& title) { chart_->GetAxis(axis)->SetTitle(title); }
+
+void ChartArea::setRange(int axisSide, double low, double high) {
+  vtkAxis* axis = chart_->GetAxis(axisSide);
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(low, high);
+  vtkNew<vtkDoubleArray> positions;
+  for (const double tick : tickValues(low, high, axisSide == vtkAxis::BOTTOM ? 12 : 9))
+    positions->InsertNextValue(tick);
+  axis->SetCustomTickPositions(positions);
+}
 
 vtkPlot* ChartArea::addLine(const std::string& name, const std::vector<std::pair<double, double>>& points,
                             const Vector3d& colour, double widthPx, bool right) {

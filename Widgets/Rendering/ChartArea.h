@@ -25,6 +25,8 @@ class ChartArea {
   [[nodiscard]] vtkChartXY* chart() const { return chart_; }
   void setTitle(const std::string& title);
   void setAxisTitle(int axis, const std::string& title);
+  /// Fixed ends, with round ticks.
+  void setRange(int axisSide, double low, double high);
   /// A line through (x, y) pairs, named in the legend unless `name` is empty; `right`: against the axis on
   /// the right.
   vtkPlot* addLine(const std::string& name, const std::vector<std::pair<double, double>>& points,

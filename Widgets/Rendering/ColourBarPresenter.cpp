@@ -89,8 +89,8 @@ void ColourBarPresenter::show(const ScalarMap& map) {
 
   const auto swatch = [&](const Vector3d& colour, const char* text, double linesDown) {
     const double down = -linesDown * 1.6 * textPx_;
-    keep(rectangleAt({1, kBottom, -7.4 * textPx_, down}, textPx_, textPx_, colour));
-    keep(textAt({1, kBottom, -6.0 * textPx_, down + 0.5 * textPx_}, text, textPx_, textColour_, AlignX::Left,
+    keep(rectangleAt({1, kBottom, -8.2 * textPx_, down}, textPx_, textPx_, colour));
+    keep(textAt({1, kBottom, -6.8 * textPx_, down + 0.5 * textPx_}, text, textPx_, textColour_, AlignX::Left,
                 AlignY::Centre));
   };
   swatch(kNoValueColour, "no value", 1.6);

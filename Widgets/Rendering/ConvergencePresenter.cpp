@@ -30,14 +30,9 @@ void ConvergencePresenter::show(const std::vector<IterationRecord>& history) {
   }
   area_.addLine("RMS residual (mm)", residual, {0.0, 0.45, 0.70}, lineWidthPx_);
   area_.addLine("patch weight (right)", weight, {0.84, 0.37, 0.0}, lineWidthPx_, true);
-  const auto range = [&](int side, double low, double high) {
-    vtkAxis* axis = area_.chart()->GetAxis(side);
-    axis->SetBehavior(vtkAxis::FIXED);
-    axis->SetRange(low, high);
-  };
-  range(vtkAxis::BOTTOM, residual.front().first, residual.back().first);
-  range(vtkAxis::LEFT, 0, highest > 0 ? 1.25 * highest : 1);
-  range(vtkAxis::RIGHT, 0, 1.25 * largest);
+  area_.setRange(vtkAxis::BOTTOM, residual.front().first, residual.back().first);
+  area_.setRange(vtkAxis::LEFT, 0, highest > 0 ? 1.25 * highest : 1);
+  area_.setRange(vtkAxis::RIGHT, 0, 1.25 * largest);
 }
 
 }  // namespace falciform

@@ -57,12 +57,8 @@ void HistogramPresenter::show(const DistanceMap& map) {
   area_.setTitle(figures("Pre-operative surface", map.preopAll) + "\n" + figures("Scan", map.scanAll));
   area_.setAxisTitle(vtkAxis::BOTTOM, "Signed distance (mm): positive where the scan lies outside");
   area_.setAxisTitle(vtkAxis::LEFT, "Share of covered places (%)");
-  vtkAxis* left = area_.chart()->GetAxis(vtkAxis::LEFT);
-  left->SetBehavior(vtkAxis::FIXED);
-  left->SetRange(0, 1.15 * top);
-  vtkAxis* bottom = area_.chart()->GetAxis(vtkAxis::BOTTOM);
-  bottom->SetBehavior(vtkAxis::FIXED);
-  bottom->SetRange(range.low, range.high);
+  area_.setRange(vtkAxis::LEFT, 0, 1.15 * top);
+  area_.setRange(vtkAxis::BOTTOM, range.low, range.high);
 }
 
 }  // namespace falciform

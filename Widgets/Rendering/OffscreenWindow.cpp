@@ -80,7 +80,7 @@ OffscreenWindow::OffscreenWindow(int width, int height) {
   window->SetIsDirect(0);
   window->SetReadyForRendering(true);
   window->SetSupportsOpenGL(1);
-  window->SetMultiSamples(8);
+  window->SetMultiSamples(0);
   window->SetNumberOfLayers(2);
   window->OpenGLInit();
   context_->interactor->SetRenderWindow(window);
@@ -89,7 +89,7 @@ OffscreenWindow::OffscreenWindow(int width, int height) {
 }
 
 OffscreenWindow::~OffscreenWindow() {
-  if (scene_) scene_->detach();
+  hide();
   context_->makeCurrent();
   context_->interactor->SetRenderWindow(nullptr);
   context_->window->Finalize();
@@ -98,9 +98,14 @@ OffscreenWindow::~OffscreenWindow() {
 }
 
 void OffscreenWindow::show(Scene& scene) {
-  if (scene_) scene_->detach();
+  hide();
   scene_ = &scene;
   scene.attach(context_->window);
+}
+
+void OffscreenWindow::hide() {
+  if (scene_) scene_->detach();
+  scene_ = nullptr;
 }
 
 void OffscreenWindow::render() { context_->window->Render(); }

@@ -23,8 +23,10 @@ class OffscreenWindow {
   OffscreenWindow(const OffscreenWindow&) = delete;
   OffscreenWindow& operator=(const OffscreenWindow&) = delete;
 
-  /// Shows this scene in place of the last one; it must outlive the window or the next show().
+  /// Shows this scene in place of the last one; it must outlive the window, the next show() or hide().
   void show(Scene& scene);
+  /// Lets go of the scene.
+  void hide();
   void render();
   /// Renders and returns the picture.
   [[nodiscard]] RenderedImage image();

@@ -21,8 +21,8 @@ vtkSmartPointer<vtkAnnotatedCubeActor> patientCube() {
   cube->SetZPlusFaceText("S");
   cube->SetZMinusFaceText("I");
   // Letters upright when the patient stands upright.
-  cube->SetXFaceTextRotation(90);
-  cube->SetYFaceTextRotation(180);
+  cube->SetXFaceTextRotation(0);
+  cube->SetYFaceTextRotation(0);
   cube->SetZFaceTextRotation(-90);
   cube->SetFaceTextScale(0.6);
   cube->GetCubeProperty()->SetColor(0.93, 0.93, 0.93);

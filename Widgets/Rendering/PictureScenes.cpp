@@ -1,7 +1,11 @@
 #include "Widgets/Rendering/PictureScenes.h"
 
+#include <vtkCamera.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "Widgets/Rendering/ColourBarPresenter.h"
@@ -9,6 +13,7 @@
 #include "Widgets/Rendering/HistogramPresenter.h"
 #include "Widgets/Rendering/LegendPresenter.h"
 #include "Widgets/Rendering/ScanView.h"
+#include "Widgets/Rendering/SurfaceGeometry.h"
 #include "Widgets/Rendering/SurfacePresenter.h"
 
 namespace falciform {
@@ -51,13 +56,17 @@ std::vector<LegendEntry> patchEntries(const Surface& surface) {
   return entries;
 }
 
-SurfaceStyle scanStyle(const Surface& scan, PictureSize size) {
-  SurfaceStyle style;
-  style.colour = kScanColour;
-  // Clouds should close into a surface: points as wide as a dense scan's spacing.
-  style.pointPx = std::max(2, size.height / 180);
-  (void)scan;
-  return style;
+/// Points of a cloud so wide that they close into a surface, as the camera stands.
+void closeCloud(SurfacePresenter& presenter, vtkRenderer* renderer, PictureSize size) {
+  const Surface& cloud = *presenter.surface();
+  if (cloud.triangles.rows() > 0 || cloud.size() < 5) return;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const double mmPerPixel =
+      2 * camera->GetDistance() * std::tan(camera->GetViewAngle() / 2 * std::numbers::pi / 180) / size.height;
+  SurfaceStyle style = presenter.style();
+  const double pixels = 1.15 * pointSpacing(cloud.points) / mmPerPixel;
+  style.pointPx = static_cast<int>(std::lround(std::clamp(pixels, 2.0, size.height / 40.0)));
+  presenter.setStyle(style);
 }
 
 /// All labels of `surface` in one colour.
@@ -93,6 +102,7 @@ std::unique_ptr<Scene> preopScene(const Surface& preop, const Structures& struct
   SurfaceStyle style;
   // See-through only as far as is needed to find the structures inside.
   style.opacity = structures.empty() ? 1.0 : 0.45;
+  style.frontOnly = !structures.empty();
   liver.setStyle(style);
   liver.show(shared(preop));
   std::vector<LegendEntry> entries = patchEntries(preop);
@@ -121,13 +131,16 @@ std::unique_ptr<Scene> preopScene(const Surface& preop, const Structures& struct
 std::unique_ptr<Scene> scanScene(const Surface& scan, PictureSize size) {
   auto scene = emptyScene(size);
   auto& presenter = scene->add<SurfacePresenter>();
-  presenter.setStyle(scanStyle(scan, size));
+  SurfaceStyle style;
+  style.colour = kScanColour;
+  presenter.setStyle(style);
   presenter.show(shared(scan));
   scene->add<LegendPresenter>(scene->style().textPx, scene->style().text).show(patchEntries(scan));
   addTitle(*scene, "Intra-operative scan");
   scene->orientation().setVisible(scan.frame == "LPS");
   const Vector3d from = seenFrom(scan);
   fitView(scene->renderer(), scan.points, {from, uprightFor(scan, from)}, aspectOf(size), kPlain);
+  closeCloud(presenter, scene->renderer(), size);
   return scene;
 }
 
@@ -138,28 +151,30 @@ std::unique_ptr<Scene> overlayScene(const Surface& preop, const Surface& scan,
   const Surface moved = transformed(preop, scanFromPreop, scan.frame);
   auto& liver = scene->add<SurfacePresenter>();
   SurfaceStyle preopStyle;
-  preopStyle.opacity = 0.6;
+  preopStyle.opacity = 0.7;
+  preopStyle.frontOnly = true;
   preopStyle.patchColours = oneColour(preop, kPreopPatchRed);
   liver.setStyle(preopStyle);
   liver.show(shared(moved));
   auto& seen = scene->add<SurfacePresenter>();
-  SurfaceStyle style = scanStyle(scan, size);
+  SurfaceStyle style;
   style.colour = kOverlayScan;
   style.ownColours = false;
   style.patchColours = oneColour(scan, kScanPatchBlue);
   seen.setStyle(style);
   seen.show(shared(scan));
 
-  std::vector<LegendEntry> entries{{kLiverColour, "pre-operative surface"}, {kOverlayScan, "scan"}};
+  std::vector<LegendEntry> entries{{kLiverColour, "pre-operative surface"}};
   if (!patchLabels(preop).empty()) entries.push_back({kPreopPatchRed, "its patches"});
+  entries.push_back({kOverlayScan, "scan"});
   if (!patchLabels(scan).empty()) entries.push_back({kScanPatchBlue, "the scan's patches"});
-  if (entries.size() > 2 && entries[2].text == "its patches") std::swap(entries[1], entries[2]);
   scene->add<LegendPresenter>(scene->style().textPx, scene->style().text).show(entries);
   addTitle(*scene, title);
   scene->orientation().setVisible(preop.frame == "LPS");
   scene->orientation().setSceneFromLps(scanFromPreop.linear());
   fitView(scene->renderer(), stacked(moved.points, scan.points),
           view.value_or(viewOfScan(scan, moved.points, scanFromPreop)), aspectOf(size), kPlain);
+  closeCloud(seen, scene->renderer(), size);
   return scene;
 }
 
@@ -170,7 +185,6 @@ std::unique_ptr<Scene> distanceScene(const DistanceMap& map, DistanceSide side, 
   const Surface& surface = onPreop ? map.preop : map.scan;
   const ScalarMap colours = symmetricMap(kSignedDistance, "Signed distance", "mm", {&map.preop, &map.scan});
   auto& presenter = scene->add<SurfacePresenter>();
-  presenter.setStyle(scanStyle(surface, size));
   presenter.setScalarMap(colours);
   presenter.show(shared(surface));
   scene->add<ColourBarPresenter>(scene->style().textPx, scene->style().text).show(colours);
@@ -183,6 +197,7 @@ std::unique_ptr<Scene> distanceScene(const DistanceMap& map, DistanceSide side, 
   ViewDirection view = viewOfScan(map.scan, map.preop.points, scanFromPreop.value_or(Isometry3d::Identity()));
   if (!scanFromPreop) view.up = uprightFor(map.scan, view.from);
   fitView(scene->renderer(), surface.points, view, aspectOf(size), kWithBar);
+  closeCloud(presenter, scene->renderer(), size);
   return scene;
 }
 

@@ -42,6 +42,19 @@ RenderedImage grab(vtkRenderWindow* window) {
   return fromVtkImage(filter->GetOutput());
 }
 
+RenderedImage halved(const RenderedImage& image) {
+  RenderedImage half{image.width / 2, image.height / 2, {}};
+  half.rgb.reserve(image.rgb.size() / 4);
+  for (int y = 0; y < half.height; ++y)
+    for (int x = 0; x < half.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const int sum = image.at(2 * x, 2 * y)[c] + image.at(2 * x + 1, 2 * y)[c] +
+                        image.at(2 * x, 2 * y + 1)[c] + image.at(2 * x + 1, 2 * y + 1)[c];
+        half.rgb.push_back(static_cast<std::uint8_t>((sum + 2) / 4));
+      }
+  return half;
+}
+
 void savePng(const RenderedImage& image, const std::filesystem::path& file, Overwrite overwrite) {
   vtkNew<vtkImageData> data;
   data->SetDimensions(image.width, image.height, 1);

@@ -25,6 +25,9 @@ struct RenderedImage {
 /// What the window shows now, without rendering again.
 [[nodiscard]] RenderedImage grab(vtkRenderWindow* window);
 
+/// Half the size, each pixel the mean of four: how a picture drawn twice as large becomes smooth.
+[[nodiscard]] RenderedImage halved(const RenderedImage& image);
+
 /// Writes a PNG whose text chunk says that it is for research use only. Throws InputError as writeFile does.
 void savePng(const RenderedImage& image, const std::filesystem::path& file, Overwrite overwrite);
 

@@ -61,9 +61,9 @@ std::vector<double> tickValues(double low, double high, int atMost) {
     if (std::floor(high / step + 1e-9) - std::ceil(low / step - 1e-9) + 1 <= atMost) break;
   }
   std::vector<double> ticks;
-  // Counted in whole steps, so that 0 is exactly 0.
+  // Counted in whole steps, so that 0 is exactly 0; + 0.0 turns -0 into 0.
   for (double k = std::ceil(low / step - 1e-9); k <= std::floor(high / step + 1e-9); ++k)
-    ticks.push_back(k * step);
+    ticks.push_back(k * step + 0.0);
   return ticks;
 }
 

@@ -40,6 +40,7 @@ Scene::Scene(const SceneStyle& style) : style_(style), renderer_(vtkSmartPointer
   renderer_->SetUseDepthPeeling(true);
   renderer_->SetMaximumNumberOfPeels(6);
   renderer_->SetOcclusionRatio(0.0);
+  renderer_->SetUseFXAA(true);
   light(renderer_);
   notice_ = std::make_unique<TextPresenter>(renderer_.Get(), TextPlace::BottomLeft, style.textPx, style.text);
   notice_->setText(kResearchUse);
@@ -55,6 +56,9 @@ void Scene::attach(vtkRenderWindow* window) {
   detach();
   window_ = window;
   window->SetNumberOfLayers(2);
+  // With multisampling, depth peeling draws see-through surfaces not at all (Mesa, VTK 9.1); FXAA smooths
+  // edges instead.
+  window->SetMultiSamples(0);
   window->AddRenderer(renderer_);
   window->AddRenderer(cube_->renderer());
 }

@@ -7,6 +7,11 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "Logic/Geometry/KdTree.h"
 #include "Logic/Geometry/Measures.h"
 #include "Widgets/Rendering/ScanView.h"
 
@@ -70,6 +75,17 @@ vtkSmartPointer<vtkPolyData> displayGeometry(const Surface& surface) {
   else if (surface.size() >= 3)
     data->GetPointData()->SetNormals(toVtk(cloudNormals(surface, data)));
   return data;
+}
+
+double pointSpacing(const Points& points) {
+  if (points.rows() < 5) return 0;
+  const KdTree tree(points);
+  const Index stride = std::max<Index>(1, points.rows() / 500);
+  std::vector<double> distances;
+  for (Index i = 0; i < points.rows(); i += stride)
+    distances.push_back(std::sqrt(tree.nearest(points.row(i).transpose(), 5).back().squaredDistance));
+  std::ranges::nth_element(distances, distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2));
+  return distances[distances.size() / 2];
 }
 
 bool sameGeometry(const Surface& a, const Surface& b) {

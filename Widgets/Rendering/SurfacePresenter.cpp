@@ -5,6 +5,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,11 @@ SurfacePresenter::SurfacePresenter(vtkRenderer* renderer)
   mapper->SetColorModeToDirectScalars();
   actor_->SetMapper(mapper);
   actor_->SetVisibility(false);
+  // Points have no back side in OpenGL, so VTK leaves their normals as they are; seen from behind a scan
+  // would be black.
+  actor_->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true,
+      "if (normalVCVSOutput.z < 0.0) normalVCVSOutput = -normalVCVSOutput;\n//VTK::Light::Impl", false);
   renderer_->AddActor(actor_);
 }
 
@@ -112,6 +118,7 @@ void SurfacePresenter::applyStyle() {
   vtkProperty* property = actor_->GetProperty();
   property->SetOpacity(style_.opacity);
   property->SetEdgeVisibility(style_.edges);
+  property->SetBackfaceCulling(style_.frontOnly);
   property->SetPointSize(static_cast<float>(style_.pointPx));
   // Values must be read off the bar, so shading may darken them only a little.
   property->SetAmbient(map_ ? 0.45 : 0.20);

@@ -21,9 +21,10 @@ struct SurfaceStyle {
   Vector3d colour = kLiverColour;
   double opacity = 1;  ///< in [0, 1]
   bool visible = true;
-  bool edges = false;                         ///< triangle edges
-  bool ownColours = true;                     ///< the scan's RGB where it has one
-  bool patches = true;                        ///< painted points in their patch's colour
+  bool edges = false;      ///< triangle edges
+  bool frontOnly = false;  ///< leaves out triangles that face away: a see-through surface looks less busy
+  bool ownColours = true;  ///< the scan's RGB where it has one
+  bool patches = true;     ///< painted points in their patch's colour
   std::map<int, Vector3d> patchColours = {};  ///< in place of patchColour(label)
   int pointPx = 4;                            ///< size of a cloud's points
 };
