@@ -26,7 +26,9 @@ TEST(HouseRules, TopLevelHoldsOnlyTheAgreedFolders) {
   const std::set<std::string> agreed{"Logic", "Widgets", "Modules", "Resources", "Testing", "Docs"};
   for (const auto& entry : std::filesystem::directory_iterator(sourceRoot())) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && name[0] != '.') EXPECT_TRUE(agreed.contains(name)) << name;
+    if (entry.is_directory() && name[0] != '.') {
+      EXPECT_TRUE(agreed.contains(name)) << name;
+    }
   }
 }
 

@@ -63,8 +63,12 @@ TEST(IncludeRule, WidgetsKnowLogicAndModulesKnowBoth) {
   for (const SourceFile& file : sourceFiles())
     for (const std::string& include : file.quotedIncludes) {
       const std::string top = file.folder(1), other = include.substr(0, include.find('/'));
-      if (top == "Widgets") EXPECT_NE(other, "Modules") << file.path << " includes " << include;
-      if (top != "Testing") EXPECT_NE(other, "Testing") << file.path << " includes " << include;
+      if (top == "Widgets") {
+        EXPECT_NE(other, "Modules") << file.path << " includes " << include;
+      }
+      if (top != "Testing") {
+        EXPECT_NE(other, "Testing") << file.path << " includes " << include;
+      }
     }
 }
 
@@ -92,8 +96,9 @@ TEST(IncludeRule, VtkStandsInVtkBridgeAndInSourceFilesOfIO) {
   for (const SourceFile& file : sourceFiles()) {
     if (file.folder(1) != "Logic" || file.folder(2) == "Logic/VtkBridge") continue;
     for (const std::string& include : file.systemIncludes)
-      if (include.starts_with("vtk"))
+      if (include.starts_with("vtk")) {
         EXPECT_TRUE(file.folder(2) == "Logic/IO" && !file.isHeader()) << file.path << " includes " << include;
+      }
   }
 }
 
