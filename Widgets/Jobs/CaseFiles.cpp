@@ -1,0 +1,144 @@
+#include "Widgets/Jobs/CaseFiles.h"
+
+#include "Logic/IO/CaseFolder.h"
+#include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/SurfaceFiles.h"
+#include "Logic/IO/VolumeFiles.h"
+
+namespace falciform {
+namespace {
+
+namespace fs = std::filesystem;
+
+QString shortName(const fs::path& file) {
+  return QString::fromStdString((file.has_filename() ? file : file.parent_path()).filename().string());
+}
+
+/// Moves all of `loaded` into `document`. Parts that others rest on come first, so that nothing is dropped as
+/// outdated.
+void adopt(Case& document, const Case& loaded) {
+  document.clear();
+  document.setName(loaded.name());
+  if (loaded.labels()) document.setLabels(loaded.labels());
+  if (loaded.preop()) document.setPreop(loaded.preop());
+  for (const auto& [name, surface] : loaded.structures()) document.setStructure(name, surface);
+  document.setPreopLandmarks(loaded.preopLandmarks());
+  document.setScanLandmarks(loaded.scanLandmarks());
+  // A registration set before its scan is stale, as the saved one was.
+  if (loaded.scan() && !loaded.registrationStale()) document.setScan(loaded.scan());
+  if (loaded.registration()) document.setRegistration(loaded.registration());
+  if (loaded.scan() && loaded.registrationStale()) document.setScan(loaded.scan());
+  if (loaded.distance()) document.setDistance(loaded.distance());
+  document.setUnmodified();
+}
+
+struct LoadedCase {
+  std::shared_ptr<Case> document;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace
+
+template <class Work, class Done>
+bool CaseFiles::start(const QString& title, Work work, Done done) {
+  const bool started = runner_.start(title, std::move(work), std::move(done));
+  if (!started)
+    log_.warn(QObject::tr("%1 has to wait: \"%2\" is still running.").arg(title, runner_.title()));
+  return started;
+}
+
+bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> done) {
+  const QString title = QObject::tr("Opening %1").arg(shortName(file));
+  const auto finish = [this, file, role, done](const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) log_.warn(QString::fromStdString(warning));
+    const std::string_view what = fileRoleName(role);
+    log_.info(QObject::tr("Opened %1 as %2.")
+                  .arg(shortName(file), QString::fromUtf8(what.data(), int(what.size()))));
+    if (done) done();
+  };
+  switch (role) {
+    case FileRole::Case:
+      return start(
+          title,
+          [file](const Progress& progress) {
+            progress.report(0, "reading the case");
+            LoadedCase loaded{std::make_shared<Case>(), {}};
+            loaded.warnings = openCase(*loaded.document, file);
+            progress.report(1);
+            return loaded;
+          },
+          [this, finish](const LoadedCase& loaded) {
+            adopt(case_, *loaded.document);
+            finish(loaded.warnings);
+          });
+    case FileRole::Labels:
+      return start(
+          title,
+          [file](const Progress& progress) {
+            progress.report(0, "reading the label map");
+            return readLabelMap(file);
+          },
+          [this, finish](Loaded<LabelMap> loaded) {
+            case_.setLabels(std::make_shared<const LabelMap>(std::move(loaded.value)));
+            finish(loaded.warnings);
+          });
+    case FileRole::Preop:
+    case FileRole::Scan:
+    case FileRole::Structure:
+      return start(
+          title,
+          [file](const Progress& progress) {
+            progress.report(0, "reading the surface");
+            return readSurface(file);
+          },
+          [this, role, file, finish](Loaded<Surface> loaded) {
+            auto surface = std::make_shared<const Surface>(std::move(loaded.value));
+            if (role == FileRole::Preop)
+              case_.setPreop(std::move(surface));
+            else if (role == FileRole::Scan)
+              case_.setScan(std::move(surface));
+            else
+              case_.setStructure(file.stem().string(), std::move(surface));
+            finish(loaded.warnings);
+          });
+    case FileRole::PreopLandmarks:
+    case FileRole::ScanLandmarks:
+      return start(
+          title,
+          [file](const Progress& progress) {
+            progress.report(0, "reading the landmarks");
+            return readLandmarks(file);
+          },
+          [this, role, finish](Loaded<Landmarks> loaded) {
+            if (role == FileRole::PreopLandmarks)
+              case_.setPreopLandmarks(std::move(loaded.value));
+            else
+              case_.setScanLandmarks(std::move(loaded.value));
+            finish(loaded.warnings);
+          });
+  }
+  return false;
+}
+
+bool CaseFiles::save(const fs::path& folder, std::function<void()> done) {
+  // The parts are shared and constant, so this copy is a snapshot that the worker may read.
+  auto snapshot = std::make_shared<const Case>(case_);
+  return start(
+      QObject::tr("Saving %1").arg(shortName(folder)),
+      [snapshot, folder](const Progress& progress) {
+        progress.report(0, "writing the case");
+        saveCase(*snapshot, folder, Overwrite::Replace);
+      },
+      [this, folder, snapshot, done] {
+        // What was changed while the worker wrote is not saved yet.
+        if (case_.preop() == snapshot->preop() && case_.scan() == snapshot->scan() &&
+            case_.registration() == snapshot->registration() && case_.distance() == snapshot->distance() &&
+            case_.labels() == snapshot->labels() && case_.name() == snapshot->name() &&
+            case_.structures() == snapshot->structures())
+          case_.setUnmodified();
+        log_.info(QObject::tr("Saved the case in %1.").arg(shortName(folder)));
+        if (done) done();
+      });
+}
+
+}  // namespace falciform

@@ -1,0 +1,74 @@
+#include "Widgets/Jobs/FileGuess.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "Logic/IO/SurfaceFiles.h"
+#include "Logic/IO/VolumeFiles.h"
+
+namespace falciform {
+namespace {
+
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+bool namesAnyOf(const std::string& name, std::initializer_list<std::string_view> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+std::vector<FileRole> guessSurface(const std::string& name, const std::string& extension) {
+  const bool cloudOnly = extension == ".xyz" || extension == ".csv";
+  if (cloudOnly || namesAnyOf(name, {"scan", "intraop", "range", "lrs"})) return {FileRole::Scan};
+  if (namesAnyOf(name, {"preop", "pre-op", "pre_op"})) return {FileRole::Preop};
+  if (namesAnyOf(name, {"vessel", "vein", "artery", "tumour", "tumor", "portal", "gallbladder", "cyst"}))
+    return {FileRole::Structure};
+  return {FileRole::Preop, FileRole::Scan, FileRole::Structure};
+}
+
+}  // namespace
+
+std::string_view fileRoleName(FileRole role) {
+  switch (role) {
+    case FileRole::Case:
+      return "case";
+    case FileRole::Labels:
+      return "label map";
+    case FileRole::Preop:
+      return "pre-operative surface";
+    case FileRole::Scan:
+      return "intra-operative scan";
+    case FileRole::Structure:
+      return "structure inside the liver (vessel, tumour)";
+    case FileRole::PreopLandmarks:
+      return "landmarks on the pre-operative surface";
+    case FileRole::ScanLandmarks:
+      return "landmarks on the scan";
+  }
+  return "";
+}
+
+std::vector<FileRole> guessFileRoles(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    return std::filesystem::exists(file / "case.json", ignored) ? std::vector{FileRole::Case}
+                                                                : std::vector<FileRole>{};
+  const std::string name = lowerCase(file.filename().string());
+  const std::string extension = lowerCase(file.extension().string());
+  if (isVolumeFile(file)) return {FileRole::Labels};
+  if (name.ends_with(".mrk.json") || extension == ".fcsv") {
+    if (namesAnyOf(name, {"scan", "intraop"})) return {FileRole::ScanLandmarks};
+    if (namesAnyOf(name, {"preop", "pre-op", "pre_op"})) return {FileRole::PreopLandmarks};
+    return {FileRole::PreopLandmarks, FileRole::ScanLandmarks};
+  }
+  if (extension == ".json") return {FileRole::Case};
+  const auto& surfaces = surfaceExtensions();
+  if (std::find(surfaces.begin(), surfaces.end(), extension) != surfaces.end())
+    return guessSurface(name, extension);
+  return {};
+}
+
+}  // namespace falciform

@@ -1,0 +1,1 @@
+#include "Widgets/Jobs/Log.h"

@@ -1,0 +1,235 @@
+#include "Widgets/Views/CaseScene.h"
+
+#include <vtkCamera.h>
+
+#include <algorithm>
+
+#include "Widgets/Rendering/PictureScenes.h"
+#include "Widgets/Rendering/ScanView.h"
+#include "Widgets/Rendering/SurfaceGeometry.h"
+
+namespace falciform {
+namespace {
+
+constexpr double kGhostOpacity = 0.25;  // the other side of a distance map: there, but not in the way
+constexpr int kLandmarkPx = 12;
+
+SurfaceStyle styleOf(const PartLook& look) {
+  SurfaceStyle style;
+  style.colour = {look.colour[0], look.colour[1], look.colour[2]};
+  style.opacity = look.opacity;
+  style.visible = look.visible;
+  return style;
+}
+
+/// Landmarks as a cloud of large points.
+std::shared_ptr<const Surface> cloudOf(const Landmarks& landmarks) {
+  if (landmarks.points.empty()) return nullptr;
+  auto cloud = std::make_shared<Surface>();
+  cloud->points.resize(static_cast<Index>(landmarks.points.size()), 3);
+  for (std::size_t i = 0; i < landmarks.points.size(); ++i)
+    cloud->points.row(static_cast<Index>(i)) = landmarks.points[i].position.transpose();
+  cloud->normals = Points::Zero(cloud->size(), 3);
+  cloud->normals.col(1).setConstant(-1);  // given, since a handful of points has no normals to fit
+  return cloud;
+}
+
+}  // namespace
+
+/// What case and options come to: which surfaces, where, in what colours.
+struct CaseScene::Wanted {
+  std::shared_ptr<const Surface> preop, scan;
+  Isometry3d sceneFromPreop = Isometry3d::Identity(), sceneFromScan = Isometry3d::Identity();
+  std::optional<ScalarMap> preopMap, scanMap;
+  bool distance = false;
+};
+
+CaseScene::CaseScene(const Case& document, const ViewState& view, int textPx)
+    : case_(document),
+      view_(view),
+      scene_(screenStyle(textPx)),
+      preop_(scene_.add<SurfacePresenter>()),
+      scan_(scene_.add<SurfacePresenter>()),
+      preopLandmarks_(scene_.add<SurfacePresenter>()),
+      scanLandmarks_(scene_.add<SurfacePresenter>()),
+      bar_(scene_.add<ColourBarPresenter>(textPx, scene_.style().text)),
+      legend_(scene_.add<LegendPresenter>(textPx, scene_.style().text)),
+      title_(scene_.add<TextPresenter>(TextPlace::TopCentre, textPx, scene_.style().text)) {}
+
+CaseScene::Wanted CaseScene::wanted() const {
+  const ViewOptions& options = view_.options();
+  Wanted result;
+  if (!scanAlone()) {
+    result.preop = case_.preop();
+    if (options.arrangement == Arrangement::Together) result.scan = case_.scan();
+    if (options.livePreopFromScan)
+      result.sceneFromScan.matrix() = *options.livePreopFromScan;
+    else if (case_.registration() && options.afterRegistration)
+      result.sceneFromScan = case_.registration()->scanFromPreop.inverse();
+  } else {
+    result.scan = case_.scan();
+  }
+  result.distance = options.distanceShown && case_.distance() && case_.registration() && !scanAlone();
+  if (result.distance) {
+    const auto& map = case_.distance();
+    // The map's surfaces are both in the scan's frame; the scene is in LPS.
+    result.sceneFromScan = result.sceneFromPreop = case_.registration()->scanFromPreop.inverse();
+    result.preop = {map, &map->preop};
+    result.scan = {map, &map->scan};
+    const ScalarMap colours{kSignedDistance,          "Signed distance",       "mm",
+                            -options.distanceLimitMm, options.distanceLimitMm, OutOfRange::Grey};
+    (options.distanceOnScan ? result.scanMap : result.preopMap) = colours;
+  }
+  return result;
+}
+
+bool CaseScene::follow() {
+  const Wanted now = wanted();
+  const bool onScan = view_.options().distanceOnScan;
+  const auto draw = [](SurfacePresenter& presenter, const std::shared_ptr<const Surface>& surface,
+                       const Isometry3d& motion, const std::optional<ScalarMap>& map,
+                       const SurfaceStyle& style) {
+    presenter.setScalarMap(surface ? map : std::nullopt);
+    presenter.setStyle(style);
+    if (presenter.surface() != surface) presenter.show(surface);
+    presenter.setSceneFromSurface(motion);
+  };
+  SurfaceStyle preopStyle = styleOf(view_.look(part::kPreop)), scanStyle = styleOf(view_.look(part::kScan));
+  if (now.distance) {
+    preopStyle.patches = scanStyle.patches = false;
+    if (onScan)
+      preopStyle.opacity = std::min(preopStyle.opacity, kGhostOpacity);
+    else
+      scanStyle.visible = false;  // it lies on the coloured liver and would hide the colours
+  }
+  draw(preop_, now.preop, now.sceneFromPreop, now.preopMap, preopStyle);
+  draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
+  followStructures(!scanAlone());
+  followLandmarks();
+  followTexts(now);
+  scene_.orientation().setVisible(!scanAlone() || case_.registration() != nullptr);
+  scene_.orientation().setSceneFromLps(sceneFromLps());
+
+  const std::vector<ShownSurface> visible = shown();
+  const auto known = [&](const ShownSurface& one) {
+    return std::any_of(fitted_.begin(), fitted_.end(), [&](const ShownSurface& old) {
+      return old.part == one.part && (old.surface == one.surface || sameGeometry(*old.surface, *one.surface));
+    });
+  };
+  // A distance map's surfaces are the case's own, moved: no news to the eye.
+  const bool news = directedScanAlone_ != scanAlone() || fittedRegistration_ != case_.registration() ||
+                    (!now.distance && !std::all_of(visible.begin(), visible.end(), known));
+  if (!now.distance) fitted_ = visible;
+  fittedRegistration_ = case_.registration();
+  return news;
+}
+
+void CaseScene::followStructures(bool visible) {
+  for (const auto& [name, surface] : case_.structures()) {
+    SurfacePresenter*& presenter = structures_[name];
+    if (!presenter) presenter = &scene_.add<SurfacePresenter>();
+    SurfaceStyle style = styleOf(view_.look(part::structure(name)));
+    style.visible = style.visible && visible;
+    presenter->setStyle(style);
+    if (presenter->surface() != surface) presenter->show(surface);
+  }
+  std::erase_if(structures_, [&](const auto& entry) {
+    const bool gone = !case_.structures().count(entry.first);
+    if (gone) scene_.remove(*entry.second);
+    return gone;
+  });
+}
+
+void CaseScene::followLandmarks() {
+  const auto draw = [&](SurfacePresenter& presenter, const Landmarks& landmarks, const char* part,
+                        bool visible) {
+    SurfaceStyle style = styleOf(view_.look(part));
+    style.pointPx = kLandmarkPx;
+    style.visible = style.visible && visible;
+    presenter.setStyle(style);
+    presenter.show(cloudOf(landmarks));
+  };
+  draw(preopLandmarks_, case_.preopLandmarks(), part::kPreopLandmarks, preop_.surface() != nullptr);
+  draw(scanLandmarks_, case_.scanLandmarks(), part::kScanLandmarks, scan_.surface() != nullptr);
+  scanLandmarks_.setSceneFromSurface(scan_.sceneFromSurface());
+}
+
+void CaseScene::followTexts(const Wanted& now) {
+  std::vector<LegendEntry> entries;
+  if (now.distance) {
+    bar_.show(now.preopMap ? *now.preopMap : *now.scanMap);
+    title_.setText("Positive: the intra-operative surface lies outside the pre-operative one");
+  } else {
+    bar_.clear();
+    title_.setText(view_.options().livePreopFromScan ? "Registering"
+                   : case_.registrationStale() && now.preop && now.scan && view_.options().afterRegistration
+                       ? "Registration is out of date"
+                       : "");
+    std::map<int, std::string> names;
+    for (const auto& surface : {now.preop, now.scan})
+      if (surface)
+        for (const int label : patchLabels(*surface)) names.emplace(label, patchName(*surface, label));
+    for (const auto& [label, name] : names) entries.push_back({patchColour(label), name});
+  }
+  legend_.show(entries);
+}
+
+std::vector<ShownSurface> CaseScene::shown() const {
+  std::vector<ShownSurface> visible;
+  const auto add = [&](const std::string& part, const std::string& title, const SurfacePresenter& presenter) {
+    if (presenter.surface() && presenter.style().visible && presenter.style().opacity > 0)
+      visible.push_back({part, title, presenter.surface(), presenter.sceneFromSurface()});
+  };
+  add(part::kPreop, "Pre-op liver", preop_);
+  add(part::kScan, "Scan", scan_);
+  for (const auto& [name, presenter] : structures_) add(part::structure(name), name, *presenter);
+  return visible;
+}
+
+Matrix3d CaseScene::sceneFromLps() const {
+  if (!scanAlone() || !case_.registration()) return Matrix3d::Identity();
+  return case_.registration()->scanFromPreop.linear();
+}
+
+Points CaseScene::shownPoints() const {
+  const std::vector<ShownSurface> visible = shown();
+  Index count = 0;
+  for (const ShownSurface& one : visible) count += one.surface->size();
+  Points all(count, 3);
+  Index row = 0;
+  for (const ShownSurface& one : visible) {
+    all.middleRows(row, one.surface->size()) = transformed(one.surface->points, one.sceneFromSurface);
+    row += one.surface->size();
+  }
+  return all;
+}
+
+ViewDirection CaseScene::firstDirection() const {
+  const auto& scan = case_.scan();
+  if (!scanAlone() || !scan) return directionOf(StandardView::Anterior);
+  const auto& registration = case_.registration();
+  if (registration && case_.preop())
+    return viewOfScan(*scan, transformed(case_.preop()->points, registration->scanFromPreop),
+                      registration->scanFromPreop);
+  const Vector3d from = seenFrom(*scan);
+  return {from, uprightFor(*scan, from)};
+}
+
+void CaseScene::fit(double aspect) {
+  const Points points = shownPoints();
+  if (points.rows() == 0) return;
+  ViewDirection direction = firstDirection();
+  if (directedScanAlone_ == scanAlone()) {
+    vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+    Vector3d back;
+    camera->GetDirectionOfProjection(back.data());
+    camera->GetViewUp(direction.up.data());
+    direction.from = -back;
+  }
+  directedScanAlone_ = scanAlone();
+  ViewMargins margins;
+  if (view_.options().distanceShown) margins.right = 0.14;  // the colour bar's place
+  fitView(scene_.renderer(), points, direction, aspect, margins);
+}
+
+}  // namespace falciform

@@ -1,0 +1,216 @@
+#include "Widgets/Views/CaseView3D.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "Widgets/Rendering/CameraViews.h"
+#include "Widgets/Rendering/PaintInteractor.h"
+#include "Widgets/Rendering/Picking.h"
+#include "Widgets/Rendering/RenderedImage.h"
+#include "Widgets/Views/CaseScene.h"
+#include "Widgets/Views/DataProbe.h"
+
+namespace falciform {
+namespace {
+
+constexpr int kProbeAfterMs = 40;  // the mouse has slowed down
+
+}  // namespace
+
+struct CaseView3D::Parts {
+  Parts(Case& document, ViewState& viewState, PatchPaintingLogic& brush, int textPx)
+      : view(viewState), painting(brush), scene(document, viewState, textPx) {}
+
+  ViewState& view;
+  PatchPaintingLogic& painting;
+  CaseScene scene;
+  DataProbe probe;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkNew<PaintInteractor> style;
+  SurfacePresenter* painted = nullptr;
+  QVTKOpenGLNativeWidget* canvas = nullptr;
+  QLabel* probeText = nullptr;
+  QTimer* followTimer = nullptr;
+  QTimer* probeTimer = nullptr;
+  QPoint mouse;
+  bool fitWanted = true;
+  Connection caseChanged, viewChanged;
+};
+
+void CaseView3D::prepareApplication() {
+  // Several samples a pixel would switch depth peeling off, and with it see-through livers.
+  vtkOpenGLRenderWindow::SetGlobalMaximumNumberOfMultiSamples(0);
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+}
+
+CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& painting, QWidget* parent)
+    : QWidget(parent),
+      parts_(std::make_unique<Parts>(document, view, painting, static_cast<int>(14 * devicePixelRatioF()))) {
+  setObjectName("caseView3D");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  addToolBar();
+
+  parts_->canvas = new QVTKOpenGLNativeWidget(this);
+  parts_->canvas->setObjectName("canvas");
+  parts_->canvas->setRenderWindow(parts_->window);
+  parts_->canvas->setFocusPolicy(Qt::StrongFocus);
+  parts_->canvas->setMinimumSize(320, 240);
+  parts_->canvas->installEventFilter(this);
+  parts_->scene.scene().attach(parts_->window);
+  parts_->window->GetInteractor()->SetInteractorStyle(parts_->style);
+  column->addWidget(parts_->canvas, 1);
+
+  parts_->probeText = new QLabel(this);
+  parts_->probeText->setObjectName("probe");
+  parts_->probeText->setContentsMargins(6, 2, 6, 2);
+  parts_->probeText->setToolTip(
+      tr("What lies under the mouse: part, vertex, position in mm, patch, signed distance in mm"));
+  parts_->probeText->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  column->addWidget(parts_->probeText);
+
+  parts_->style->onChange = [this] { parts_->view.brushChanged.emit(); };
+  parts_->style->onLeave = [this] {
+    parts_->view.edit([](ViewOptions& options) { options.painting = false; });
+  };
+
+  parts_->followTimer = new QTimer(this);
+  parts_->followTimer->setSingleShot(true);
+  connect(parts_->followTimer, &QTimer::timeout, this, &CaseView3D::follow);
+  parts_->probeTimer = new QTimer(this);
+  parts_->probeTimer->setSingleShot(true);
+  parts_->probeTimer->setInterval(kProbeAfterMs);
+  connect(parts_->probeTimer, &QTimer::timeout, this, &CaseView3D::probe);
+  parts_->caseChanged = document.changed.connect([this](Case::Part) { followSoon(); });
+  parts_->viewChanged = view.changed.connect([this] { followSoon(); });
+  followSoon();
+}
+
+CaseView3D::~CaseView3D() {
+  parts_->style->onLeave = nullptr;
+  parts_->style->stopPainting();
+  parts_->scene.scene().detach();
+}
+
+void CaseView3D::addToolBar() {
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 2, 4, 2);
+  bar->setSpacing(2);
+  const auto add = [&](const QString& name, const QString& label, const QString& tip,
+                       std::function<void()> action) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setText(label);
+    button->setToolTip(tip);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);
+    connect(button, &QToolButton::clicked, this, std::move(action));
+    bar->addWidget(button);
+  };
+  const auto standard = [this](StandardView view) {
+    return [this, view] {
+      setStandardView(parts_->scene.scene().renderer(), view, parts_->scene.sceneFromLps());
+      fit();
+    };
+  };
+  add("viewAnterior", tr("Anterior"), tr("From the patient's front (Shift+A)"),
+      standard(StandardView::Anterior));
+  add("viewPosterior", tr("Posterior"), tr("From the patient's back (Shift+P)"),
+      standard(StandardView::Posterior));
+  add("viewRight", tr("Right"), tr("From the patient's right (Shift+R)"), standard(StandardView::Right));
+  add("viewLeft", tr("Left"), tr("From the patient's left (Shift+L)"), standard(StandardView::Left));
+  add("viewSuperior", tr("Superior"), tr("From the head (Shift+S)"), standard(StandardView::Superior));
+  add("viewInferior", tr("Inferior"), tr("From the feet (Shift+I)"), standard(StandardView::Inferior));
+  add("viewReset", tr("Fit"), tr("Show everything, direction kept (R)"), [this] { fit(); });
+  bar->addStretch(1);
+  static_cast<QVBoxLayout*>(layout())->addLayout(bar);
+}
+
+QWidget* CaseView3D::canvas() const { return parts_->canvas; }
+
+// Several changes in a row, as when a case is opened, are drawn once.
+void CaseView3D::followSoon() { parts_->followTimer->start(0); }
+
+void CaseView3D::follow() {
+  if (parts_->scene.follow()) parts_->fitWanted = true;
+  parts_->style->sceneFromLps = parts_->scene.sceneFromLps();
+  followPainting();
+  if (parts_->fitWanted && parts_->canvas->isVisible()) {
+    parts_->fitWanted = false;
+    fit();
+  }
+  parts_->window->Render();
+}
+
+void CaseView3D::followPainting() {
+  const bool onScan = parts_->painting.target == PaintTarget::Scan;
+  SurfacePresenter* wanted = !parts_->view.options().painting ? nullptr
+                             : onScan                         ? &parts_->scene.scan()
+                                                              : &parts_->scene.preop();
+  if (wanted && !parts_->painting.missingInput().empty()) wanted = nullptr;
+  if (wanted == parts_->painted && (wanted != nullptr) == parts_->style->painting()) return;
+  parts_->painted = wanted;
+  parts_->style->stopPainting();
+  if (wanted) parts_->style->startPainting(parts_->painting, *wanted, parts_->scene.scene().renderer());
+  parts_->canvas->setCursor(wanted ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void CaseView3D::fit() {
+  const QSize size = parts_->canvas->size();
+  parts_->scene.fit(static_cast<double>(size.width()) / std::max(1, size.height()));
+  parts_->window->Render();
+}
+
+std::function<void(const std::filesystem::path&)> CaseView3D::picture() {
+  follow();
+  auto image = std::make_shared<const RenderedImage>(falciform::grab(parts_->window));
+  return [image](const std::filesystem::path& file) { savePng(*image, file, Overwrite::Replace); };
+}
+
+QPoint CaseView3D::canvasPosition(const Vector3d& pointInScene) const {
+  const Eigen::Vector2d pixel = screenPosition(parts_->scene.scene().renderer(), pointInScene);
+  const double ratio = parts_->canvas->devicePixelRatioF();
+  return {static_cast<int>(std::lround(pixel.x() / ratio)),
+          static_cast<int>(std::lround(parts_->canvas->height() - 1 - pixel.y() / ratio))};
+}
+
+bool CaseView3D::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != parts_->canvas) return QWidget::eventFilter(watched, event);
+  switch (event->type()) {
+    case QEvent::MouseMove: {
+      const auto* move = static_cast<QMouseEvent*>(event);
+      parts_->mouse = move->pos();
+      if (move->buttons() == Qt::NoButton) parts_->probeTimer->start();
+      break;
+    }
+    case QEvent::Leave:
+      parts_->probeTimer->stop();
+      parts_->probeText->clear();
+      break;
+    case QEvent::Show:
+    case QEvent::Resize:
+      if (parts_->fitWanted) followSoon();
+      break;
+    default:
+      break;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void CaseView3D::probe() {
+  const double ratio = parts_->canvas->devicePixelRatioF();
+  const double x = parts_->mouse.x() * ratio, y = (parts_->canvas->height() - 1 - parts_->mouse.y()) * ratio;
+  parts_->probeText->setText(QString::fromStdString(parts_->probe.at(parts_->scene, x, y)));
+}
+
+}  // namespace falciform

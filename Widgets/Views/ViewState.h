@@ -1,0 +1,76 @@
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "Logic/Core/Signal.h"
+#include "Logic/Core/Types.h"
+
+namespace falciform {
+
+/// How one part of the case is drawn.
+struct PartLook {
+  bool visible = true;
+  std::array<double, 3> colour{0.8, 0.8, 0.8};  ///< red, green, blue in [0, 1]
+  double opacity = 1;                           ///< 0 clear, 1 solid
+
+  bool operator==(const PartLook&) const = default;
+};
+
+/// Names of the parts as the tree and the views know them.
+namespace part {
+inline constexpr char kPreop[] = "preop", kScan[] = "scan";
+inline constexpr char kPreopLandmarks[] = "preopLandmarks", kScanLandmarks[] = "scanLandmarks";
+[[nodiscard]] inline std::string structure(const std::string& name) { return "structure/" + name; }
+}  // namespace part
+
+/// Which of the two surfaces a step needs to see.
+enum class Arrangement {
+  Together,   ///< both, the scan placed by the registration
+  PreopOnly,  ///< the pre-operative side
+  ScanOnly,   ///< the scan in its scanner's own frame
+};
+
+struct ViewOptions {
+  std::map<std::string, PartLook> looks;  ///< what differs from defaultLook()
+  Arrangement arrangement = Arrangement::Together;
+  bool afterRegistration = true;              ///< false shows the scan where it was before
+  std::optional<Matrix4d> livePreopFromScan;  ///< pose of a registration that is running
+  bool distanceShown = false;                 ///< signed distance as colour, where there is a map
+  bool distanceOnScan = false;                ///< colours on the scan instead of the liver
+  double distanceLimitMm = 10;                ///< colours run from minus this to plus this
+  bool painting = false;                      ///< left drag paints
+
+  bool operator==(const ViewOptions&) const = default;
+};
+
+/// What the views show and how; panels and tree write it, views follow it. Nothing of it is part of the case.
+class ViewState {
+ public:
+  Signal<> changed;
+  Signal<> brushChanged;  ///< the mouse or a key changed radius, patch, labels or undo steps
+
+  [[nodiscard]] const ViewOptions& options() const { return options_; }
+  [[nodiscard]] PartLook look(const std::string& part) const;
+  void setLook(const std::string& part, const PartLook& look);
+
+  /// `change(ViewOptions&)`, announced once if anything is different afterwards.
+  template <class Change>
+  void edit(Change change) {
+    ViewOptions next = options_;
+    change(next);
+    if (next == options_) return;
+    options_ = std::move(next);
+    changed.emit();
+  }
+
+ private:
+  ViewOptions options_;
+};
+
+/// The look of a part nobody has touched: liver and scan in their usual colours, vessels and tumours by their
+/// names.
+[[nodiscard]] PartLook defaultLook(const std::string& part);
+
+}  // namespace falciform
