@@ -45,6 +45,14 @@ double DomedBody::distance(const Vector3d& p) const {
   return (gauge - 1.0) / slope.norm();
 }
 
+Eigen::Matrix<double, 2, 3> DomedBody::box() const {
+  const double shiftY = std::abs(sweep) * radii.x(), shiftZ = std::abs(rise) * radii.x();
+  Eigen::Matrix<double, 2, 3> box;
+  box.row(0) = (centre - Vector3d(radii.x(), radii.y() + shiftY, radiusBelow + shiftZ)).transpose();
+  box.row(1) = (centre + Vector3d(radii.x(), radii.y() + shiftY, radii.z() + shiftZ)).transpose();
+  return box;
+}
+
 double Ellipsoid::distance(const Vector3d& p) const {
   const Vector3d q = (p - centre).cwiseQuotient(radii);
   const double gauge = q.norm();

@@ -27,6 +27,8 @@ struct DomedBody {
   double sweep = 0;                   ///< mm of y per mm of x
   double exponent = 2;                ///< e, at least 2
   [[nodiscard]] double distance(const Vector3d& p) const;
+  /// Lowest and highest corner of a box around it, rows 0 and 1.
+  [[nodiscard]] Eigen::Matrix<double, 2, 3> box() const;
 };
 
 struct Ellipsoid {

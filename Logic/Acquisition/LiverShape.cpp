@@ -52,18 +52,27 @@ LiverShape::LiverShape(const SyntheticLiverSettings& settings) {
   leftScale_ = leftShare / kLeftShare;
   rightScale_ = (1 - leftShare) / (1 - kLeftShare);
 
-  right_.centre = place(-64, 4, -2);
-  right_.radii = {72 * scale_.x() * rightScale_, 72 * scale_.y(), 80 * scale_.z() * dome};
+  // Each body reaches from its right to its left end, wherever the falciform groove divides the width.
+  const auto span = [&](DomedBody& body, double rightEnd, double leftEnd, double y, double z) {
+    const double from = place(rightEnd, 0, 0).x(), to = place(leftEnd, 0, 0).x();
+    body.centre = {0.5 * (from + to), y * scale_.y(), z * scale_.z()};
+    body.radii.x() = 0.5 * (to - from);
+  };
+  span(right_, -136, 8, 4, -2);
+  right_.radii.tail<2>() << 72 * scale_.y(), 80 * scale_.z() * dome;
   right_.radiusBelow = 122 * scale_.z();
   right_.exponent = 2.3;
-  left_.centre = place(-24, -22, 10);
-  left_.radii = {100 * scale_.x() * std::max(leftScale_, 0.7), 48 * scale_.y(), 52 * scale_.z()};
+  span(left_, -124, 76, -22, 10);
+  left_.radii.tail<2>() << 48 * scale_.y(), 52 * scale_.z();
   left_.radiusBelow = 110 * scale_.z();
-  left_.rise = 0.10;
-  left_.sweep = 0.15;
+  left_.rise = 0.10 * scale_.z() / scale_.x();
+  left_.sweep = 0.15 * scale_.y() / scale_.x();
 
-  bounds_.row(0) = place(-150, -95, -115).transpose();
-  bounds_.row(1) = place(100, 95, 80 * std::max(dome, 1.0) + 20).transpose();
+  double air = 15;  // mm, for the blends, and room for a grid's border
+  for (const Wave& wave : waves_) air += wave.mm;
+  const Eigen::Matrix<double, 2, 3> right = right_.box(), left = left_.box();
+  bounds_.row(0) = right.row(0).cwiseMin(left.row(0)).array() - air;
+  bounds_.row(1) = right.row(1).cwiseMax(left.row(1)).array() + air;
 }
 
 Vector3d LiverShape::place(double x, double y, double z) const {
@@ -96,7 +105,7 @@ double LiverShape::diaphragmatic(const Vector3d& p) const {
   d += 7 * bell(heart.x(), 26) * bell(heart.y(), 24) * bell(heart.z(), 25);
   // The bed of the vena cava, high on the back.
   const Vector3d cava = place(-18, 62, 0);
-  d = smoothDifference(d, std::hypot(p.x() - cava.x(), p.y() - cava.y()) - 15, 10);
+  d = smoothDifference(d, std::hypot(p.x() - cava.x(), p.y() - cava.y()) - 16, 24);
   return d;
 }
 

@@ -74,9 +74,10 @@ SmoothDisplacement drawDisplacement(const Points& points, const SyntheticDeforma
   SmoothDisplacement u;
   for (int n = 0; n < kModes; ++n) {
     SmoothDisplacement::Mode mode;
-    mode.wave =
-        draws.direction() * (2 * std::numbers::pi / (settings.wavelengthMm * draws.uniform(1.0, 1.6)));
-    mode.amplitude = draws.normal3();
+    const Vector3d along = draws.direction();
+    mode.wave = along * (2 * std::numbers::pi / (settings.wavelengthMm * draws.uniform(1.0, 1.6)));
+    // Across the wave: a field without divergence keeps the volume to first order.
+    mode.amplitude = along.cross(draws.normal3());
     mode.phase = draws.uniform(0, 2 * std::numbers::pi);
     u.modes.push_back(mode);
   }

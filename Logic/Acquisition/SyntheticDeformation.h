@@ -5,8 +5,8 @@
 
 namespace falciform {
 
-/// A soft change of shape as between imaging and operation: smooth, small, without rigid motion. Not a
-/// mechanical model.
+/// A soft change of shape as between imaging and operation: smooth, without rigid motion, without divergence
+/// (so the volume is nearly kept). Not a mechanical model.
 struct SyntheticDeformationSettings {
   double rmsMm = 5;           ///< RMS length of the displacement over the surface's points
   double wavelengthMm = 260;  ///< shortest wavelength; longer is smoother
