@@ -62,7 +62,7 @@ void Syntax::rename(const std::string& name, const std::string& preferred) {
       std::find_if(arguments_.begin(), arguments_.end(), [&](const Argument& a) { return a.name == name; });
   assert(found != arguments_.end());
   found->name = preferred;
-  found->alias = name;
+  if (found->alias.empty()) found->alias = name;
 }
 
 const Argument* Syntax::find(std::string_view name) const {

@@ -2,25 +2,21 @@
 #include <filesystem>
 #include <vector>
 
+#include "Logic/Acquisition/SyntheticDeformation.h"
 #include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Acquisition/VirtualScanner.h"
 #include "Modules/CommandLine/Outputs.h"
 
 namespace falciform::commandline {
 
-/// What happens to the built-in liver between its CT and its scan.
-struct BuiltInChangeSettings {
-  double deformationMm =
-      6;  ///< largest displacement: the left lobe sinks back, the right lobe is pushed up from below
-  double landmarkErrorMm = 3;  ///< standard deviation of the surgeon's touch, per axis
+/// How well a surgeon touches the landmarks.
+struct TouchSettings {
+  double landmarkErrorMm = 3;  ///< standard deviation per axis
   int seed = 1;
 };
 
 template <class Visitor>
-void describe(BuiltInChangeSettings& s, Visitor&& field) {
-  field(FieldInfo{"deformationMm", "Deformation", "mm", 0, 60,
-                  "Largest displacement between CT and scan, about; 0: rigid."},
-        s.deformationMm);
+void describe(TouchSettings& s, Visitor&& field) {
   field(FieldInfo{"landmarkErrorMm", "Landmark error", "mm", 0, 30,
                   "Standard deviation of the scan landmarks, per axis."},
         s.landmarkErrorMm);
@@ -30,7 +26,8 @@ void describe(BuiltInChangeSettings& s, Visitor&& field) {
 struct BuiltInCaseSettings {
   SyntheticLiverSettings liver;
   VirtualScannerSettings scanner;
-  BuiltInChangeSettings change;
+  SyntheticDeformationSettings deformation;
+  TouchSettings touch;
 };
 
 struct BuiltInCase {
@@ -40,11 +37,6 @@ struct BuiltInCase {
   Landmarks scanLandmarks;  ///< the anatomical landmarks as touched, scan mm
   Landmarks truthTargets;   ///< liver.targets where they truly are, scan mm
 };
-
-/// Displacement, mm, of a liver point in LPS mm: smooth, largest about `settings.deformationMm` at the ends
-/// of the box. `box`: rows lowest and highest corner of the liver.
-[[nodiscard]] Vector3d builtInDisplacement(const Vector3d& point, const Eigen::Matrix<double, 2, 3>& box,
-                                           const BuiltInChangeSettings& settings);
 
 /// Liver, label map, and a scan of the deformed liver with known truth. Deterministic by the settings.
 [[nodiscard]] BuiltInCase makeBuiltInCase(const BuiltInCaseSettings& settings, const Progress& progress = {});

@@ -27,7 +27,7 @@ Surface preparePreop(const CaseDescription& description, const CaseSettings& set
   if (!read && description.labelMap.empty())
     throw InputError("the case '" + description.name +
                      "' has neither 'preop' nor 'labelMap'; name one in case.json");
-  Surface preop = read ? run.surface(description.folder / description.preop)
+  Surface preop = read ? run.mesh(description.folder / description.preop)
                        : importPreop(description, settings, run, outcome, progress);
   if (description.preopPatches.empty()) return preop;
   progress.report(1, "Carrying patches over");

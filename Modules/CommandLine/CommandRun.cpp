@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "Logic/Core/Errors.h"
+#include "Logic/Geometry/Topology.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/IO/TransformFiles.h"
@@ -46,6 +48,13 @@ T CommandRun::keep(Loaded<T> loaded, const fs::path& file) {
 }
 
 Surface CommandRun::surface(const fs::path& file) { return keep(readSurface(file), file); }
+Surface CommandRun::mesh(const fs::path& file) {
+  Surface read = surface(file);
+  if (const Index edges = inspectTopology(read).nonManifoldEdges; edges > 0)
+    throw InputError("'" + file.string() + "' is not a manifold surface: " + std::to_string(edges) +
+                     " edges have three or more triangles; repair it or import it anew from its label map");
+  return read;
+}
 LabelMap CommandRun::labelMap(const fs::path& file) { return keep(readLabelMap(file), file); }
 Landmarks CommandRun::landmarks(const fs::path& file) { return keep(readLandmarks(file), file); }
 Isometry3d CommandRun::transform(const fs::path& file) {

@@ -38,6 +38,9 @@ class CommandRun {
 
   // Readers: value, warnings and SHA-256 in one call. Warnings name the file.
   [[nodiscard]] Surface surface(const std::filesystem::path& file);
+  /// A pre-operative surface: refused where edges have three or more triangles, since in and out are then
+  /// undefined.
+  [[nodiscard]] Surface mesh(const std::filesystem::path& file);
   [[nodiscard]] LabelMap labelMap(const std::filesystem::path& file);
   [[nodiscard]] Landmarks landmarks(const std::filesystem::path& file);
   [[nodiscard]] Isometry3d transform(const std::filesystem::path& file);

@@ -23,7 +23,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   for (const auto& file : builtInCaseFiles(caseFolder)) run.outputs.announce(file);
   for (const auto& file : caseResultFiles(results)) run.outputs.announce(file);
   BuiltInCaseSettings made;
-  made.liver.seed = made.change.seed = made.scanner.seed = arguments.integer("seed");
+  made.liver.seed = made.deformation.seed = made.scanner.seed = made.touch.seed = arguments.integer("seed");
   writeBuiltInCase(makeBuiltInCase(made, run.progress.part(0, 0.3)), caseFolder, run.outputs);
 
   // The case is read back from its files: the demo walks the road of any case. They still lie in the hidden

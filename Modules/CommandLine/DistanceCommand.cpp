@@ -46,7 +46,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.settings["distance"] = settingsToJson(settings);
 
   run.progress.report(0, "Reading");
-  const falciform::Surface preop = run.surface(arguments.path("preop")),
+  const falciform::Surface preop = run.mesh(arguments.path("preop")),
                            scan = run.surface(arguments.path("scan"));
   const Isometry3d scanFromPreop = run.transform(arguments.path("transform"));
   const DistanceMap map = mapDistances(preop, scan, scanFromPreop, settings, run.progress.part(0.1, 0.9));

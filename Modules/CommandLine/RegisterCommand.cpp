@@ -78,7 +78,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
     throw InputError("--targets and --truth-targets belong together; give both or none");
 
   run.progress.report(0, "Reading");
-  const falciform::Surface preop = run.surface(arguments.path("preop")),
+  const falciform::Surface preop = run.mesh(arguments.path("preop")),
                            scan = run.surface(arguments.path("scan"));
   const Landmarks targets = optionalLandmarks(arguments, "targets", run),
                   truth = optionalLandmarks(arguments, "truth-targets", run);

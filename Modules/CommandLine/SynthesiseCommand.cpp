@@ -16,7 +16,9 @@ void declare(Syntax& syntax) {
               .output = true,
               .group = "Files"});
   syntax.addSettings(SyntheticLiverSettings{}, "Liver");
-  syntax.addSettings(BuiltInChangeSettings{}, "Change between CT and scan");
+  syntax.addSettings(SyntheticDeformationSettings{}, "Change between CT and scan");
+  syntax.rename("rms", "deformation");
+  syntax.addSettings(TouchSettings{}, "Change between CT and scan");
   syntax.addSettings(VirtualScannerSettings{}, "Scanner");
 }
 
@@ -26,10 +28,12 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.outputs.announce(sidecar);
   BuiltInCaseSettings settings;
   settings.liver = arguments.settings(settings.liver);
-  settings.change = arguments.settings(settings.change);
+  settings.deformation = arguments.settings(settings.deformation);
+  settings.touch = arguments.settings(settings.touch);
   settings.scanner = arguments.settings(settings.scanner);
   run.settings = {{"liver", settingsToJson(settings.liver)},
-                  {"change", settingsToJson(settings.change)},
+                  {"deformation", settingsToJson(settings.deformation)},
+                  {"landmarks", settingsToJson(settings.touch)},
                   {"scanner", settingsToJson(settings.scanner)}};
   const BuiltInCase made = makeBuiltInCase(settings, run.progress.part(0, 0.9));
   run.frames = {{"labelmap.nii.gz, preop_painted.vtp, structures, targets", "patient LPS, mm"},
