@@ -1,6 +1,7 @@
 #include "Logic/VtkBridge/ImageBridge.h"
 
 #include <gtest/gtest.h>
+#include <vtkDataArray.h>
 #include <vtkPointData.h>
 
 #include "Logic/Core/Errors.h"
