@@ -204,14 +204,16 @@ void Remesher::moveWithoutFolds(const std::vector<Vector3d>& to) {
   std::vector<Vector3d> before(at(mesh_.halfEdges() / 3));
   for (std::size_t f = 0; f < before.size(); ++f) before[f] = areaVector(static_cast<int>(3 * f));
   mesh_.position = to;
-  for (bool folds = true; folds;) {  // ends at the latest when every vertex is back
+  std::vector<char> stays(from.size(), 0);
+  for (bool folds = true; folds;) {  // ends at the latest when every vertex stays
     folds = false;
     for (std::size_t f = 0; f < before.size(); ++f) {
       const int h = static_cast<int>(3 * f);
       const Vector3d after = areaVector(h);
       if (before[f].dot(after) > kMaxTurn * before[f].norm() * after.norm()) continue;
       for (const int v : {mesh_.origin(h), mesh_.target(h), mesh_.opposite(h)}) {
-        folds = folds || x(v) != from[at(v)];
+        folds = folds || !stays[at(v)];
+        stays[at(v)] = 1;
         mesh_.position[at(v)] = from[at(v)];
       }
     }
