@@ -6,7 +6,7 @@ namespace falciform {
 // All colours: red, green, blue in [0, 1].
 
 inline const Vector3d kLiverColour{0.80, 0.52, 0.42};
-inline const Vector3d kScanColour{0.86, 0.83, 0.76};  ///< of a scan without colours of its own
+inline const Vector3d kScanColour{0.74, 0.70, 0.68};  ///< of a scan without colours of its own
 
 /// Colour of a patch label above 0: the palette of Okabe and Ito (2008), which the colour blind can tell
 /// apart, in an order that stands out on the liver's colour; repeats after the seventh.

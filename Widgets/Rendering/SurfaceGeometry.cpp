@@ -74,6 +74,9 @@ vtkSmartPointer<vtkPolyData> displayGeometry(const Surface& surface) {
     data->GetPointData()->SetNormals(toVtk(vertexNormals(surface)));
   else if (surface.size() >= 3)
     data->GetPointData()->SetNormals(toVtk(cloudNormals(surface, data)));
+  else  // the shader wants normals always
+    data->GetPointData()->SetNormals(
+        toVtk(Points(Vector3d::UnitZ().transpose().replicate(surface.size(), 1))));
   return data;
 }
 

@@ -1,0 +1,1 @@
+include("/tmp/treeF/Testing/Rendering/RenderingTests[1]_include.cmake")
