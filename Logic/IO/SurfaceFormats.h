@@ -30,6 +30,9 @@ struct RawSurface {
 /// Throws InputError where the counts and cells of a legacy file cannot be right: VTK's reader trusts them.
 void checkLegacyVtk(const std::string& bytes, const std::string& name);
 
+/// The same for the arrays of a VTP file, with its texts taken out (VtpFieldTexts.h).
+void checkVtp(const std::string& bytes, const std::string& name);
+
 /// Writers return the file's bytes.
 [[nodiscard]] std::string plyOf(const Surface& surface);  ///< binary little endian, double precision
 [[nodiscard]] std::string objOf(const Surface& surface);  ///< points in their order, 17 digits

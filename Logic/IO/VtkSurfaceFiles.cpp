@@ -76,6 +76,7 @@ RawSurface readVtp(const std::string& bytes, const std::string& name) {
     throw InputError(
         name + " holds no polygonal surface (type=\"PolyData\"); extract the surface and export it as .vtp");
   VtpFieldTexts file = takeFieldTexts(bytes);
+  checkVtp(file.fileWithout, name);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->ReadFromInputStringOn();
   reader->SetInputString(std::move(file.fileWithout));
