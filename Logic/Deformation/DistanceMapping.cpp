@@ -47,6 +47,7 @@ class Comparison {
       scanBorder_.emplace(scan);
     } else {
       scanCloud_ = KdTree(scan.points);
+      cloudBorder_.emplace(scanCloud_, scan.points);
     }
   }
 
@@ -98,8 +99,12 @@ class Comparison {
     const double distance = std::sqrt(nearest.front().squaredDistance);
     if (distance > reach_) return kNoValue;
     const int first = nearest.front().index;
-    if (opposed(normal, cloudNormal(first)) || beyondCloud(scanCloud_, scan_.points, first, vertex, normal))
-      return kNoValue;
+    const ClosestPlace back = preopTree_.closest(scan_.points.row(first).transpose(), distance);
+    if (back.distance < 0.5 * distance && distance > 1.5 * cloudBorder_->spacingAt(first))
+      return kNoValue;  // the point belongs to another place of the surface, through a thin lobe or across a
+                        // fold
+    if (opposed(normal, cloudNormal(first, back))) return kNoValue;
+    if (cloudBorder_->isPassed(vertex, normal, first)) return kNoValue;
     // Near contact the nearest point may lie a spacing aside, its height mere noise: the points around it
     // vote.
     double height = 0;
@@ -108,11 +113,11 @@ class Comparison {
     return height < 0 ? -distance : distance;
   }
 
-  /// A cloud without normals is taken to face as the pre-op surface nearest to it does: so that a scan of one
-  /// side of a thin lobe does not cover the other.
-  [[nodiscard]] Vector3d cloudNormal(int point) const {
+  /// A cloud without normals is taken to face as the pre-op surface nearest to it, at `back`, does: so that a
+  /// scan of one side of a thin lobe does not cover the other.
+  [[nodiscard]] Vector3d cloudNormal(int point, const ClosestPlace& back) const {
     if (scanNormals_.rows() > 0) return scanNormals_.row(point);
-    return normalAt(preopTree_, preopNormals_, preopTree_.closest(scan_.points.row(point).transpose()));
+    return back.triangle < 0 ? Vector3d::Zero() : normalAt(preopTree_, preopNormals_, back);
   }
 
   const Surface& preop_;
@@ -124,6 +129,7 @@ class Comparison {
   std::optional<TriangleTree> scanTree_;
   std::optional<SurfaceBorder> scanBorder_;
   KdTree scanCloud_;
+  std::optional<CloudBorder> cloudBorder_;
 };
 
 /// Values of `count` items, on all threads, with progress between blocks.

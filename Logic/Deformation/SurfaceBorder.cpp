@@ -66,30 +66,36 @@ bool leadsAside(const Vector3d& offset, const Vector3d& normal, const Vector3d& 
   return straight < std::cos(15 * std::numbers::pi / 180) * length;
 }
 
-bool beyondCloud(const KdTree& cloud, const Points& points, int nearest, const Vector3d& query,
-                 const Vector3d& normal) {
-  const auto inPlane = [&](int id) {
-    const Vector3d way = points.row(id).transpose() - query;
-    return Vector3d(way - way.dot(normal) * normal);
-  };
-  const Vector3d foot = points.row(nearest);
-  double spacing = 0;
-  const std::vector<Neighbour> around = cloud.nearest(foot, 7);
-  for (const Neighbour& neighbour : around) spacing += std::sqrt(neighbour.squaredDistance);
-  spacing /= std::max<double>(1, static_cast<double>(around.size()) - 1);  // the first is the point itself
-  if (inPlane(nearest).norm() <= 0.5 * spacing) return false;
+CloudBorder::CloudBorder(const KdTree& cloud, const Points& points) : cloud_(cloud), points_(points) {
+  if (points.rows() == 0) return;
+  std::vector<double> spacings;
+  const Index step = std::max<Index>(1, points.rows() / 2000);  // 2,000 give the median to 3 %
+  for (Index i = 0; i < points.rows(); i += step) spacings.push_back(spacingAt(static_cast<int>(i)));
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  largest_ = 1.5 * *middle;
+}
 
-  std::vector<double> bearings;
-  const Vector3d east = normal.unitOrthogonal(), north = normal.cross(east);
-  for (const int id : cloud.within(query, (foot - query).norm() + 3 * spacing)) {
-    const Vector3d way = inPlane(id);
-    if (way.norm() > 1e-9) bearings.push_back(std::atan2(way.dot(north), way.dot(east)));
+double CloudBorder::spacingAt(int point) const {
+  double sum = 0;
+  const std::vector<Neighbour> around = cloud_.nearest(points_.row(point).transpose(), 7);
+  for (const Neighbour& neighbour : around) sum += std::sqrt(neighbour.squaredDistance);
+  const double others =
+      std::max<double>(1, static_cast<double>(around.size()) - 1);  // the first is the point itself
+  return std::min(sum / others, largest_);
+}
+
+bool CloudBorder::isPassed(const Vector3d& query, const Vector3d& normal, int nearest) const {
+  const auto inPlane = [&](const Vector3d& way) { return Vector3d(way - way.dot(normal) * normal); };
+  const Vector3d foot = points_.row(nearest), outwards = inPlane(query - foot);
+  const double spacing = spacingAt(nearest), aside = outwards.norm();
+  if (aside <= 0.5 * spacing) return false;
+  const double leastCosine = std::sqrt(0.5);  // of 45 deg
+  for (const int id : cloud_.within(foot, 3 * spacing)) {
+    const Vector3d way = inPlane(points_.row(id).transpose() - foot);
+    if (way.dot(outwards) > leastCosine * way.norm() * aside) return false;  // the cloud goes on that way
   }
-  if (bearings.size() < 3) return true;
-  std::sort(bearings.begin(), bearings.end());
-  double gap = 2 * std::numbers::pi - (bearings.back() - bearings.front());
-  for (std::size_t i = 1; i < bearings.size(); ++i) gap = std::max(gap, bearings[i] - bearings[i - 1]);
-  return gap > std::numbers::pi;
+  return true;
 }
 
 }  // namespace falciform

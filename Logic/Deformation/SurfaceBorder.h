@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "Logic/Core/Surface.h"
@@ -27,9 +28,25 @@ class SurfaceBorder {
 /// taken there to 3.5 %.
 [[nodiscard]] bool leadsAside(const Vector3d& offset, const Vector3d& normal, const Vector3d& otherNormal);
 
-/// True if a cloud lies all on one side of `query`, seen along `normal`: the points about the nearest one
-/// leave a half-plane free. Not asked within half a local spacing of the nearest point `nearest`, mm.
-[[nodiscard]] bool beyondCloud(const KdTree& cloud, const Points& points, int nearest, const Vector3d& query,
-                               const Vector3d& normal);
+/// Where a cloud of points ends: its border and its holes are not drawn, and are judged by its spacing.
+class CloudBorder {
+ public:
+  /// `cloud` is a tree over all rows of `points`; both must outlive this.
+  CloudBorder(const KdTree& cloud, const Points& points);
+
+  /// True if `query`, a vertex of a surface with `normal`, lies past the border at `nearest`, the point
+  /// nearest to it: seen along the normal it is more than half a spacing aside of the point, and within three
+  /// spacings of that one no point lies in its direction, 45 deg to either hand.
+  [[nodiscard]] bool isPassed(const Vector3d& query, const Vector3d& normal, int nearest) const;
+
+  /// Mean distance to the six nearest points, at most 1.5 times its median: stragglers farther apart do not
+  /// cover what is between.
+  [[nodiscard]] double spacingAt(int point) const;
+
+ private:
+  const KdTree& cloud_;
+  const Points& points_;
+  double largest_ = std::numeric_limits<double>::infinity();  ///< mm
+};
 
 }  // namespace falciform
