@@ -45,6 +45,7 @@ ChartArea::ChartArea(vtkRenderer* renderer, int textPx, const Vector3d& textColo
   chart_->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
   chart_->GetLegend()->SetVerticalAlignment(vtkChartLegend::TOP);
   chart_->SetShowLegend(true);
+  chart_->SetHiddenAxisBorder(3 * textPx / 2);  // room for half a number beyond the last tick
   actor_->GetScene()->AddItem(chart_);
   renderer_->AddViewProp(actor_);
   vtkNew<vtkCallbackCommand> command;

@@ -27,7 +27,7 @@ const Vector3d kOverlayScan{0.60, 0.80, 0.80};
 
 /// The margins leave room for a title and the legend above, the research notice below.
 constexpr ViewMargins kPlain{0.05, 0.05, 0.10, 0.09};
-constexpr ViewMargins kWithBar{0.04, 0.16, 0.14, 0.09};
+constexpr ViewMargins kWithBar{0.04, 0.16, 0.16, 0.09};
 
 std::unique_ptr<Scene> emptyScene(PictureSize size) {
   SceneStyle style;
@@ -191,7 +191,7 @@ std::unique_ptr<Scene> distanceScene(const DistanceMap& map, DistanceSide side, 
   addTitle(*scene, onPreop ? "Distance on the pre-operative surface" : "Distance on the scan");
   scene->add<TextPresenter>(TextPlace::BottomLeft, scene->style().textPx, scene->style().text, 1)
       .setText(
-          "Positive: the scan lies outside the pre-operative surface; negative: inside; grey: no value.");
+          "Positive: the scan lies outside the pre-operative surface;\nnegative: inside; grey: no value.");
   scene->orientation().setVisible(scanFromPreop.has_value());
   if (scanFromPreop) scene->orientation().setSceneFromLps(scanFromPreop->linear());
   ViewDirection view = viewOfScan(map.scan, map.preop.points, scanFromPreop.value_or(Isometry3d::Identity()));

@@ -18,7 +18,7 @@ void light(vtkRenderer* renderer) {
   kit->SetHeadLightWarmth(0.5);
   kit->SetBackLightWarmth(0.5);
   // The four together stay below 1 on any face: brighter light would wash the colours out.
-  kit->SetKeyLightIntensity(0.62);
+  kit->SetKeyLightIntensity(0.74);
   kit->SetKeyLightAngle(35, 15);
   kit->SetKeyToFillRatio(2.5);
   kit->SetKeyToHeadRatio(2.5);

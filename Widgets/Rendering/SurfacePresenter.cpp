@@ -121,8 +121,8 @@ void SurfacePresenter::applyStyle() {
   property->SetBackfaceCulling(style_.frontOnly);
   property->SetPointSize(static_cast<float>(style_.pointPx));
   // Values must be read off the bar, so shading may darken them only a little.
-  property->SetAmbient(map_ ? 0.45 : 0.20);
-  property->SetDiffuse(map_ ? 0.55 : 0.80);
+  property->SetAmbient(map_ ? 0.55 : 0.22);
+  property->SetDiffuse(map_ ? 0.45 : 0.80);
   property->SetSpecular(map_ ? 0.0 : 0.12);
   property->SetSpecularPower(20);
   actor_->SetVisibility(style_.visible && surface_ && surface_->size() > 0);
