@@ -77,23 +77,26 @@ bool touchesBorder(const LabelMap& map, const Mask& mask) {
   return false;
 }
 
+/// "94 voxels (0.083 ml)".
+std::string voxels(std::size_t count, const LabelMap& map) {
+  return text(count, count == 1 ? " voxel (" : " voxels (",
+              static_cast<double>(count) * map.voxelVolume() / 1000, " ml)");
+}
+
 Mask organMask(const LabelMap& map, const SurfaceImportSettings& settings, SurfaceImportResult& result) {
   Mask mask = cutOut(map, selected(map, settings.labels));
   if (settings.largestComponent) {
     const ComponentCounts counts = keepLargestComponent(mask);
     result.droppedVoxels = counts.droppedVoxels;
     if (counts.pieces > 1)
-      result.warnings.push_back(
-          text(counts.pieces - 1, counts.pieces == 2 ? " smaller piece" : " smaller pieces", " of ",
-               counts.droppedVoxels, " voxels (",
-               static_cast<double>(counts.droppedVoxels) * map.voxelVolume() / 1000, " ml) dropped"));
+      result.warnings.push_back(text(counts.pieces - 1,
+                                     counts.pieces == 2 ? " smaller piece" : " smaller pieces", " of ",
+                                     voxels(counts.droppedVoxels, map), " dropped"));
   }
   if (settings.fillCavities) {
     result.filledVoxels = fillCavities(mask);
     if (result.filledVoxels > 0)
-      result.warnings.push_back(text("cavities of ", result.filledVoxels, " voxels (",
-                                     static_cast<double>(result.filledVoxels) * map.voxelVolume() / 1000,
-                                     " ml) filled"));
+      result.warnings.push_back(text("cavities of ", voxels(result.filledVoxels, map), " filled"));
   }
   result.selectedVoxels = countOrgan(mask);
   result.voxelVolumeMm3 = static_cast<double>(result.selectedVoxels) * map.voxelVolume();

@@ -33,7 +33,7 @@ TEST(ImportCleaning, SmallPiecesAreDroppedAndReported) {
   EXPECT_EQ(result.selectedVoxels, whole);
   EXPECT_EQ(result.droppedVoxels, 9u);
   EXPECT_EQ(result.topology.components, 1);
-  EXPECT_THAT(result.warnings, Contains(HasSubstr("2 smaller pieces of 9 voxels")));
+  EXPECT_THAT(result.warnings, Contains(HasSubstr("2 smaller pieces of 9 voxels (0.576 ml) dropped")));
 
   SurfaceImportSettings all;
   all.largestComponent = false;
