@@ -23,6 +23,13 @@ AtlasUpdatePanel::AtlasUpdatePanel(Workbench& workbench, QWidget* parent)
   start();
 }
 
+void AtlasUpdatePanel::enter() {
+  bench().view.edit([](ViewOptions& options) {
+    options.arrangement = Arrangement::Together;
+    options.distanceShown = false;
+  });
+}
+
 void AtlasUpdatePanel::refresh() {
   const auto line = [](bool have, const QString& text) {
     return QString("%1 %2").arg(have ? QString::fromUtf8("✓") : QString::fromUtf8("–"), text.toHtmlEscaped());

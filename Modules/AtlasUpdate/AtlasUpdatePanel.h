@@ -11,6 +11,8 @@ class AtlasUpdatePanel : public ModulePanel {
  public:
   explicit AtlasUpdatePanel(Workbench& workbench, QWidget* parent = nullptr);
 
+  void enter() override;
+
  protected:
   void refresh() override;
 

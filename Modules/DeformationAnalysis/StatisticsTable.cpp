@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "Widgets/Forms/TableHeight.h"
+
 namespace falciform {
 namespace {
 
@@ -34,17 +36,15 @@ QString figure(double value, int decimals) {
 
 }  // namespace
 
-StatisticsTable::StatisticsTable(QWidget* parent) : QTableWidget(0, 6, parent) {
+StatisticsTable::StatisticsTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   setObjectName("distanceStatistics");
-  setHorizontalHeaderLabels(
-      {tr("Distance, mm"), tr("Mean"), tr("SD"), tr("Median"), tr("95 % |d|"), tr("within")});
+  setHorizontalHeaderLabels({tr("Side, mm"), tr("Mean"), tr("SD"), tr("95 %"), tr("within")});
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   setSelectionMode(QAbstractItemView::NoSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setMinimumHeight(170);
   setToolTip(
       tr("Signed distance in mm over the covered places: mean, standard deviation, median, 95th percentile "
          "of the size,\n"
@@ -55,15 +55,15 @@ void StatisticsTable::addRow(const QString& name, const DistanceStatistics& stat
   const int row = rowCount();
   insertRow(row);
   auto* title = new QTableWidgetItem(name);
-  title->setToolTip(tr("%L1 covered places, from %2 to %3 mm, RMS %4 mm")
+  title->setToolTip(tr("%L1 covered places, from %2 to %3 mm, median %5 mm, RMS %4 mm")
                         .arg(statistics.count)
                         .arg(figure(statistics.min, 2))
                         .arg(figure(statistics.max, 2))
-                        .arg(figure(statistics.rms, 2)));
+                        .arg(figure(statistics.rms, 2), figure(statistics.median, 2)));
   setItem(row, 0, title);
   const QString within =
       std::isfinite(share) ? QString::number(100 * share, 'f', 0) + " %" : QString::fromUtf8("–");
-  const QStringList values{figure(statistics.mean, 2), figure(statistics.sd, 2), figure(statistics.median, 2),
+  const QStringList values{figure(statistics.mean, 2), figure(statistics.sd, 2),
                            figure(statistics.p95Absolute, 2), within};
   for (int column = 1; column < columnCount(); ++column) {
     auto* item = new QTableWidgetItem(values[column - 1]);
@@ -74,7 +74,8 @@ void StatisticsTable::addRow(const QString& name, const DistanceStatistics& stat
 
 void StatisticsTable::show(const DistanceMap* map, double thresholdMm) {
   setRowCount(0);
-  setHorizontalHeaderItem(5, new QTableWidgetItem(tr("≤ %1 mm").arg(thresholdMm)));
+  setHorizontalHeaderItem(4, new QTableWidgetItem(tr("≤ %1 mm").arg(thresholdMm)));
+  setVisible(map != nullptr);
   if (!map) return;
   addRow(tr("Liver, all"), map->preopAll, shareWithin(valuesOf(map->preop, -1), thresholdMm));
   for (const auto& [label, statistics] : map->preopByPatch)
@@ -86,6 +87,7 @@ void StatisticsTable::show(const DistanceMap* map, double thresholdMm) {
     if (label > 0)
       addRow(tr("Scan, %1").arg(QString::fromStdString(patchName(map->scan, label))), statistics,
              shareWithin(valuesOf(map->scan, label), thresholdMm));
+  showAllRows(this);
 }
 
 }  // namespace falciform

@@ -3,6 +3,7 @@
 #include <QHeaderView>
 
 #include "Logic/Patches/PatchStatistics.h"
+#include "Widgets/Forms/TableHeight.h"
 #include "Widgets/Rendering/PatchColours.h"
 
 namespace falciform {
@@ -15,7 +16,8 @@ PatchTable::PatchTable(QWidget* parent) : QTableWidget(0, 5, parent) {
   verticalHeader()->hide();
   setSelectionMode(QAbstractItemView::NoSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setMinimumHeight(110);
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+  showAllRows(this);
   setToolTip(
       tr("What is painted on the chosen surface: points, area in mm², length in mm along its longest axis,\n"
          "number of separate pieces"));
@@ -43,6 +45,7 @@ void PatchTable::show(const std::shared_ptr<const Surface>& surface) {
       setItem(row, column, item);
     }
   }
+  showAllRows(this);
 }
 
 }  // namespace falciform

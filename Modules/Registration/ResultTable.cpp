@@ -3,6 +3,8 @@
 #include <QHeaderView>
 #include <cmath>
 
+#include "Widgets/Forms/TableHeight.h"
+
 namespace falciform {
 namespace {
 
@@ -27,13 +29,12 @@ QString basinText(const std::vector<RegistrationBasin>& basins) {
 ResultTable::ResultTable(QWidget* parent) : QTableWidget(0, 2, parent) {
   setObjectName("registrationResult");
   setHorizontalHeaderLabels({tr("Fit, not target error"), tr("Value")});
-  horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   setSelectionMode(QAbstractItemView::NoSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setMinimumHeight(240);
   setToolTip(tr(
       "How well the scan fits the surface. A small residual does not prove that targets inside are right."));
 }
@@ -51,6 +52,7 @@ void ResultTable::addFigure(const QString& name, const QString& value, const QSt
 
 void ResultTable::show(const RegistrationResult* result, const Surface* preop) {
   setRowCount(0);
+  setVisible(result != nullptr);
   if (!result) return;
   addFigure(tr("RMS residual"), mm(result->rmsMm),
             tr("Root mean square distance of all scan points to the surface, unweighted"));
@@ -81,6 +83,7 @@ void ResultTable::show(const RegistrationResult* result, const Surface* preop) {
                "best two; "
                "close scores mean that the pose is not certain"));
   addFigure(tr("Time"), figure(result->seconds, 1, " s"), tr("Computing time"));
+  showAllRows(this);
 }
 
 QString ResultTable::value(const QString& name) const {

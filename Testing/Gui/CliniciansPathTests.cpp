@@ -76,7 +76,7 @@ TEST_F(CliniciansPath, FromLabelMapToDistanceMapByMouseAndKeyboard) {
   click("paint");
   drag(wayAlong(patch::kFalciform, 2, 12));
   press(Qt::Key_2);
-  QTest::keyClick(window->view()->canvas(), Qt::Key_I, Qt::ShiftModifier);
+  QTest::keyClick(window->view()->canvas(), 'I', Qt::ShiftModifier);
   handleEvents(200);
   drag(wayAlong(patch::kInferiorRidge, 0, 24));
   press(Qt::Key_Escape);

@@ -1,3 +1,4 @@
+#include <QAbstractSpinBox>
 #include <QLabel>
 #include <QtTest/QTest>
 #include <set>
@@ -109,7 +110,7 @@ TEST_F(PaintingTest, TheProbeTellsVertexPatchAndPlace) {
 
 TEST_F(PaintingTest, StandardViewKeysTurnTheCamera) {
   const QPoint right = window->view()->canvasPosition({-kRadiusMm, 0, 0});
-  QTest::keyClick(window->view()->canvas(), Qt::Key_P, Qt::ShiftModifier);
+  QTest::keyClick(window->view()->canvas(), 'P', Qt::ShiftModifier);
   handleEvents();
   const QPoint mirrored = window->view()->canvasPosition({-kRadiusMm, 0, 0});
   const int middle = window->view()->canvas()->width() / 2;

@@ -2,7 +2,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMessageBox>
-#include <QStackedWidget>
+#include <QTimer>
 #include <QtTest/QTest>
 #include <chrono>
 #include <thread>

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QTableWidget>
 
 #include "Logic/Geometry/Measures.h"
@@ -65,7 +65,7 @@ TEST_F(SegmentationImportPanelTest, ImportPutsAClosedSurfaceOfTheTickedLabelsInt
   child<QDoubleSpinBox>(panel, "edgeLengthMm").setValue(6);
   click(panel, "import");
   ASSERT_TRUE(bench.document.preop()) << errors.join(" ").toStdString();
-  EXPECT_TRUE(topologyReport(*bench.document.preop()).closed);
+  EXPECT_TRUE(inspectTopology(*bench.document.preop()).closedManifold());
   const double ball = 4.0 / 3 * M_PI * std::pow(kRadiusMm, 3);
   EXPECT_NEAR(signedVolume(*bench.document.preop()), ball,
               0.03 * ball);  // 4 mm voxels and 6 mm edges on a 50 mm ball

@@ -11,7 +11,6 @@
 namespace falciform {
 namespace {
 
-constexpr double kGhostOpacity = 0.25;  // the other side of a distance map: there, but not in the way
 constexpr int kLandmarkPx = 12;
 
 SurfaceStyle styleOf(const PartLook& look) {
@@ -47,6 +46,7 @@ struct CaseScene::Wanted {
 CaseScene::CaseScene(const Case& document, const ViewState& view, int textPx)
     : case_(document),
       view_(view),
+      textPx_(textPx),
       scene_(screenStyle(textPx)),
       preop_(scene_.add<SurfacePresenter>()),
       scan_(scene_.add<SurfacePresenter>()),
@@ -97,10 +97,8 @@ bool CaseScene::follow() {
   SurfaceStyle preopStyle = styleOf(view_.look(part::kPreop)), scanStyle = styleOf(view_.look(part::kScan));
   if (now.distance) {
     preopStyle.patches = scanStyle.patches = false;
-    if (onScan)
-      preopStyle.opacity = std::min(preopStyle.opacity, kGhostOpacity);
-    else
-      scanStyle.visible = false;  // it lies on the coloured liver and would hide the colours
+    // The other side lies on the coloured one and would hide or tint the colours.
+    (onScan ? preopStyle : scanStyle).visible = false;
   }
   draw(preop_, now.preop, now.sceneFromPreop, now.preopMap, preopStyle);
   draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
@@ -117,9 +115,11 @@ bool CaseScene::follow() {
     });
   };
   // A distance map's surfaces are the case's own, moved: no news to the eye.
-  const bool news = directedScanAlone_ != scanAlone() || fittedRegistration_ != case_.registration() ||
+  const bool news = fittedDistance_ != now.distance || directedScanAlone_ != scanAlone() ||
+                    fittedRegistration_ != case_.registration() ||
                     (!now.distance && !std::all_of(visible.begin(), visible.end(), known));
   if (!now.distance) fitted_ = visible;
+  fittedDistance_ = now.distance;
   fittedRegistration_ = case_.registration();
   return news;
 }
@@ -215,7 +215,7 @@ ViewDirection CaseScene::firstDirection() const {
   return {from, uprightFor(*scan, from)};
 }
 
-void CaseScene::fit(double aspect) {
+void CaseScene::fit(double widthPx, double heightPx) {
   const Points points = shownPoints();
   if (points.rows() == 0) return;
   ViewDirection direction = firstDirection();
@@ -228,8 +228,13 @@ void CaseScene::fit(double aspect) {
   }
   directedScanAlone_ = scanAlone();
   ViewMargins margins;
-  if (view_.options().distanceShown) margins.right = 0.14;  // the colour bar's place
-  fitView(scene_.renderer(), points, direction, aspect, margins);
+  margins.top = std::min(0.3, 1.9 * textPx_ / heightPx + 0.03);  // a title's line
+  // Legend or colour bar, with their words, stand beside the liver rather than on it.
+  if (fittedDistance_)
+    margins.right = std::min(0.4, 11.5 * textPx_ / widthPx);
+  else
+    margins.left = std::min(0.3, 4.0 * textPx_ / widthPx);
+  fitView(scene_.renderer(), points, direction, widthPx / heightPx, margins);
 }
 
 }  // namespace falciform

@@ -35,7 +35,7 @@ class CaseScene {
   bool follow();
   /// Puts everything on screen, for a view of `aspect` = width / height: from the present direction, or, when
   /// the frame has changed, from the patient's front or the scanner's side.
-  void fit(double aspect);
+  void fit(double widthPx, double heightPx);
 
   [[nodiscard]] Scene& scene() { return scene_; }
   [[nodiscard]] SurfacePresenter& preop() { return preop_; }
@@ -57,13 +57,15 @@ class CaseScene {
 
   const Case& case_;
   const ViewState& view_;
+  int textPx_;
   Scene scene_;
   SurfacePresenter &preop_, &scan_, &preopLandmarks_, &scanLandmarks_;
   ColourBarPresenter& bar_;
   LegendPresenter& legend_;
   TextPresenter& title_;
   std::map<std::string, SurfacePresenter*> structures_;
-  std::vector<ShownSurface> fitted_;       ///< what was on screen when follow() last asked for a fit
+  std::vector<ShownSurface> fitted_;  ///< what was on screen when follow() last asked for a fit
+  bool fittedDistance_ = false;
   std::optional<bool> directedScanAlone_;  ///< the frame that the camera's direction belongs to
   std::shared_ptr<const RegistrationResult> fittedRegistration_;
 };

@@ -79,6 +79,8 @@ QTreeWidgetItem* CaseTree::addPart(const QString& name, const std::string& part,
 
 void CaseTree::rebuild() {
   filling_ = true;
+  // Qt deletes them later; until then nobody shall find two of one name.
+  for (QSpinBox* old : findChildren<QSpinBox*>()) old->setObjectName({});
   clear();
   if (const auto& labels = case_.labels())
     addFact(tr("Label map"),

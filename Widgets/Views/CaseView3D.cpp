@@ -166,8 +166,8 @@ void CaseView3D::followPainting() {
 }
 
 void CaseView3D::fit() {
-  const QSize size = parts_->canvas->size();
-  parts_->scene.fit(static_cast<double>(size.width()) / std::max(1, size.height()));
+  const QSizeF size = QSizeF(parts_->canvas->size()) * parts_->canvas->devicePixelRatioF();
+  parts_->scene.fit(std::max(1.0, size.width()), std::max(1.0, size.height()));
   parts_->window->Render();
 }
 
