@@ -9,8 +9,7 @@ namespace falciform::test {
 namespace {
 
 std::filesystem::path baselineFolder() {
-  const char* source = std::getenv("FALCIFORM_SOURCE");
-  return std::filesystem::path(source ? source : ".") / "Testing" / "Rendering" / "Baselines";
+  return std::filesystem::path(FALCIFORM_SOURCE_DIR) / "Testing" / "Rendering" / "Baselines";
 }
 
 std::filesystem::path savedForReview(const RenderedImage& image, const std::string& name) {
