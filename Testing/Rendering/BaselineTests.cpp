@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <limits>
 #include <memory>
 
@@ -33,6 +34,13 @@ Surface withDistances(Surface body) {
 }
 
 }  // namespace
+
+TEST(Baselines, AreNotMatchedByAnotherPicture) {
+  if (std::getenv("FALCIFORM_UPDATE_BASELINES")) GTEST_SKIP() << "baselines are being written";
+  Surface other = test::lumpyBody(4);
+  other.patch.assign(other.patch.size(), patch::kInferiorRidge);
+  EXPECT_FALSE(test::matchesBaseline(drawn(*preopScene(other, {}, kSize)), "preop"));
+}
 
 TEST(Baselines, PreopWithPatchesAndTumour) {
   const Structures structures{{"tumour", std::make_shared<Surface>(test::sphere(15, 3, {-30, 0, 10}))}};

@@ -1,1 +1,0 @@
-include("/tmp/treeF/Testing/Rendering/RenderingTests[1]_include.cmake")
