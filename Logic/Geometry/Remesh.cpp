@@ -177,7 +177,6 @@ void Remesher::evenValences() {
 
 /// Towards the area-weighted mean of the neighbours, as far as the planes of the faces around allow.
 Vector3d Remesher::relaxed(int v, const std::vector<double>& areas) const {
-  if (mesh_.onBoundary(v)) return x(v);
   thread_local std::vector<int> spokes;
   mesh_.spokes(v, spokes);
   Matrix3d planes = Matrix3d::Zero();
@@ -222,15 +221,24 @@ void Remesher::moveWithoutFolds(const std::vector<Vector3d>& to) {
 
 void Remesher::relax() {
   std::vector<double> areas(mesh_.position.size(), 0.0);
+  std::vector<Vector3d> normals(mesh_.position.size(), Vector3d::Zero());
   for (int h = 0; h < mesh_.halfEdges(); h += 3) {
-    const double area = areaVector(h).norm();
-    for (const int v : {mesh_.origin(h), mesh_.target(h), mesh_.opposite(h)}) areas[at(v)] += area;
+    const Vector3d n = areaVector(h);
+    for (const int v : {mesh_.origin(h), mesh_.target(h), mesh_.opposite(h)}) {
+      areas[at(v)] += n.norm();
+      normals[at(v)] += n;
+    }
   }
   std::vector<Vector3d> to(mesh_.position.size());
   forEachChunk(to.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const Vector3d goal = relaxed(static_cast<int>(v), areas);
-      to[v] = mesh_.onBoundary(static_cast<int>(v)) ? goal : tree_.closest(goal).point;
+    for (std::size_t i = begin; i < end; ++i) {
+      const int v = static_cast<int>(i);
+      to[i] = x(v);
+      if (mesh_.onBoundary(v)) continue;
+      // In a cleft or a thin lobe the sheet across may be nearer: a place that faces the other way is not
+      // ours.
+      const ClosestPlace place = tree_.closest(relaxed(v, areas));
+      if (tree_.triangleNormal(place.triangle).dot(normals[i]) > 0) to[i] = place.point;
     }
   });
   moveWithoutFolds(to);
