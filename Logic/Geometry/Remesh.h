@@ -7,6 +7,10 @@ namespace falciform {
 /// Incremental isotropic remeshing (Botsch and Kobbelt 2004): splits, collapses (link condition kept), flips,
 /// tangential relaxation and projection onto the input surface, `passes` times. A closed manifold stays one.
 /// Point data except coordinates is dropped. `edgeLengthMm` > 0: the mean edge length aimed at.
+/// Sharp ridges are held; boundary vertices of an open surface stay, and boundary edges are only cut. Closed
+/// does not mean free of self-intersection: a cleft or tunnel narrower than the edges may be crossed. Throws
+/// InputError if the surface is not an oriented manifold, or the edge length is not above 0 or would make
+/// more than 20 million triangles.
 [[nodiscard]] Surface remeshIsotropic(const Surface& surface, double edgeLengthMm, int passes = 6,
                                       const Progress& progress = {});
 
