@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace falciform::commandline {
 
@@ -39,7 +40,10 @@ std::string flagName(const FieldInfo& info) {
 
 std::string numberText(double value) {
   char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  // Whole numbers without an exponent: 3D Slicer reads "1e+05" as the integer 1.
+  const bool whole = std::abs(value) < 1e15 && value == std::floor(value);
+  const auto end = whole ? std::to_chars(text, text + sizeof text, static_cast<long long>(value)).ptr
+                         : std::to_chars(text, text + sizeof text, value).ptr;
   return {text, end};
 }
 

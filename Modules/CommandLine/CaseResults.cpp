@@ -87,8 +87,7 @@ void writeCaseResults(const CaseOutcome& outcome, const CaseSettings& settings,
 }
 
 void tellCaseResults(const CaseOutcome& outcome, const std::filesystem::path& folder, CommandRun& run) {
-  tellRegistration(*outcome.registration, run);
-  run.say("start: " + outcome.start.words);
+  tellRegistration(*outcome.registration, outcome.start, run);
   tellDistance(*outcome.distance, run);
   if (outcome.targetError)
     run.say("target error: mean " + fixed(outcome.targetError->meanMm, 2) + " mm, largest " +

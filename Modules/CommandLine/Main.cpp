@@ -92,6 +92,10 @@ void dispatch(const std::vector<std::string>& words, const std::stop_source& sto
 }
 
 int fail(int code, std::string message) {
+  // Files are written into a hidden folder first; the user knows them by their places.
+  const std::string hidden = "/" + Outputs::hiddenName();
+  for (std::size_t at; (at = message.find(hidden)) != std::string::npos;) message.erase(at, hidden.size());
+  if (isatty(STDERR_FILENO)) std::cerr << "\r\033[K";
   for (char& c : message)
     if (c == '\n' || c == '\r') c = ' ';
   std::cerr << "falciform: " << message << std::endl;

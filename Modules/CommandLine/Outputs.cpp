@@ -18,6 +18,8 @@ fs::path folderOf(const fs::path& file) {
 
 }  // namespace
 
+std::string Outputs::hiddenName() { return ".falciform-" + std::to_string(getpid()); }
+
 Outputs::~Outputs() {
   std::error_code ignored;
   for (const auto& [folder, hidden] : staging_) fs::remove_all(hidden, ignored);
@@ -36,7 +38,7 @@ fs::path Outputs::stagingFor(const fs::path& folder) {
     }
   noteMissing(folder);
   makeFolder(folder);
-  const fs::path hidden = folder / (".falciform-" + std::to_string(getpid()));
+  const fs::path hidden = folder / hiddenName();
   staging_[folder] = hidden;
   makeFolder(hidden);
   return hidden;

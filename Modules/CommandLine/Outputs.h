@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "Logic/IO/OutputFile.h"
@@ -28,6 +29,8 @@ class Outputs {
   /// Moves what was written to its place. An older file that was announced and not written again is removed,
   /// so that a folder never mixes two runs.
   void commit();
+  /// Of the hidden folder of this process.
+  [[nodiscard]] static std::string hiddenName();
   /// Files that commit() put in place.
   [[nodiscard]] const std::vector<std::filesystem::path>& written() const { return written_; }
 

@@ -106,8 +106,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
     writeTransform(run.outputs.staged(arguments.path("transform-out")), result.scanFromPreop,
                    kScanFromPreopInWords, Overwrite::Replace);
   run.writeSidecar(sidecar);
-  tellRegistration(result, run);
-  run.say("start: " + start.words);
+  tellRegistration(result, start, run);
   if (run.figures.contains("target_error_mean_mm"))
     run.say("target error: mean " + fixed(run.figures["target_error_mean_mm"], 2) + " mm, largest " +
             fixed(run.figures["target_error"]["max_mm"], 2) + " mm");

@@ -65,14 +65,15 @@ void describeFrames(CommandRun& run) {
   run.frames["preop_on_scan.vtp"] = "the pre-op surface moved into the scan's frame, mm";
 }
 
-void tellRegistration(const RegistrationResult& result, CommandRun& run) {
+void tellRegistration(const RegistrationResult& result, const StartPose& start, CommandRun& run) {
   run.say("fit (not target error): RMS " + fixed(result.rmsMm, 3) + " mm, mean " + fixed(result.meanMm, 3) +
           " mm, P95 " + fixed(result.p95Mm, 3) + " mm over " + std::to_string(result.scanPoints) +
           " scan points");
   run.say("coverage " + fixed(100 * result.coverage, 1) + " %, rotation " + fixed(result.rotationDeg, 2) +
-          " deg, translation " + fixed(result.translationMm, 2) + " mm from the start; " +
+          " deg, translation " + fixed(result.translationMm, 2) + " mm against " + start.reference + "; " +
           std::to_string(result.iterations) + " iterations, " + std::to_string(result.basins.size()) +
           (result.basins.size() == 1 ? " basin; " : " basins; ") + result.stopReason);
+  run.say("start: " + start.words);
 }
 
 }  // namespace falciform::commandline

@@ -30,6 +30,6 @@ void writeRegistration(const Surface& preop, const Surface& scan, const Registra
                        const std::filesystem::path& folder, CommandRun& run);
 void describeFrames(CommandRun& run);
 /// The figures on stdout.
-void tellRegistration(const RegistrationResult& result, CommandRun& run);
+void tellRegistration(const RegistrationResult& result, const StartPose& start, CommandRun& run);
 
 }  // namespace falciform::commandline

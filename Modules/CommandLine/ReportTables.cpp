@@ -120,8 +120,10 @@ std::string registrationSection(const CaseOutcome& outcome) {
                "scan patch to the same patch of the pre-op surface"});
   table.row({"Coverage", fixed(100 * fit.coverage, 1), "%",
              "of the pre-op surface's area within reach of the scan"});
-  table.row({"Rotation", fixed(fit.rotationDeg, 2), "deg", "from the start: " + outcome.start.words});
-  table.row({"Translation", fixed(fit.translationMm, 2), "mm", "of the scan's centroid from the start"});
+  table.row({"Rotation", fixed(fit.rotationDeg, 2), "deg", "against " + outcome.start.reference});
+  table.row({"Translation", fixed(fit.translationMm, 2), "mm",
+             "of the scan's centroid, against " + outcome.start.reference});
+  table.row({"Start", outcome.start.words, "", ""});
   table.row({"Iterations", std::to_string(fit.iterations), "", fit.stopReason});
   table.row({"Converged", fit.converged ? "yes" : "no", "", ""});
   table.row({"Points", count(fit.scanPoints) + " / " + count(fit.preopPoints), "", "scan / pre-op"});
@@ -137,9 +139,17 @@ std::string targetSection(const CaseOutcome& outcome) {
   summary.row({"after registration", fixed(error.meanMm, 2), fixed(error.rmsMm, 2), fixed(error.maxMm, 2)});
   summary.row({"at the start", fixed(error.startMeanMm, 2), "", ""});
   summary.row({"rigid motion fitted to the targets themselves", fixed(error.optimalRigidMeanMm, 2), "", ""});
-  HtmlTable each({"Target", "Error (mm)"}, 1);
-  for (std::size_t i = 0; i < error.names.size(); ++i)
-    each.row({error.names[i], fixed(error.errorsMm[static_cast<Index>(i)], 2)});
+  // Three targets a row: a list of dozens should not push the rest off the page.
+  HtmlTable each({"Target", "Error (mm)", "Target", "Error (mm)", "Target", "Error (mm)"});
+  for (std::size_t i = 0; i < error.names.size(); i += 3) {
+    std::vector<std::string> cells;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      const bool there = k < error.names.size();
+      cells.push_back(there ? error.names[k] : "");
+      cells.push_back(there ? fixed(error.errorsMm[static_cast<Index>(k)], 2) : "");
+    }
+    each.row(cells);
+  }
   return htmlSection("Target error", htmlParagraph("Points inside the liver whose true place is known. What "
                                                    "no rigid motion can reach is deformation.") +
                                          summary.html() + each.html());

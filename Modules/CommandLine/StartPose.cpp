@@ -19,7 +19,7 @@ StartPose fromLandmarks(const Landmarks& preop, const Landmarks& scan, CommandRu
   char words[96];
   std::snprintf(words, sizeof words, "landmarks (%zu points, fiducial registration error %.2f mm)",
                 preop.points.size(), fit.freMm);
-  return {fit.targetFromSource, words};
+  return {fit.targetFromSource, words, "the landmark fit"};
 }
 
 }  // namespace
@@ -35,7 +35,8 @@ StartPose resolveStart(const std::string& init, RegistrationSettings& settings,
   settings.start = RegistrationStart::Given;
   if (init == "identity") return {Isometry3d::Identity(), "the pose as stored (identity)"};
   if (init == "landmarks") return fromLandmarks(preopLandmarks, scanLandmarks, run);
-  return {run.transform(init), "the transform " + std::filesystem::path(init).filename().string()};
+  return {run.transform(init), "the transform " + std::filesystem::path(init).filename().string(),
+          "the given start"};
 }
 
 }  // namespace falciform::commandline

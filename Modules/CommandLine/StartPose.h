@@ -11,7 +11,8 @@ namespace falciform::commandline {
 /// Where a registration begins, and why, in words.
 struct StartPose {
   Isometry3d scanFromPreop = Isometry3d::Identity();
-  std::string words;  ///< "the patches of both surfaces", "landmarks, FRE 2.1 mm", ...
+  std::string words = {};  ///< "the patches of both surfaces", "landmarks, FRE 2.1 mm", ...
+  std::string reference = "the pose as stored";  ///< what rotation and translation are told against
 };
 
 /// `init` is "identity", "landmarks", a transform file that maps pre-op mm to scan mm, or empty. A given pose

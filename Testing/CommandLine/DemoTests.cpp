@@ -1,0 +1,60 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "Logic/IO/OutputFile.h"
+#include "Testing/CommandLine/FolderContents.h"
+#include "Testing/Support/TemporaryFolder.h"
+#include "Widgets/Rendering/RenderedImage.h"
+
+namespace falciform::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// One demo, looked at from several sides: it is the longest run here.
+TEST(Demo, MakesCasePicturesAndReportWithoutADisplay) {
+  const TemporaryFolder folder;
+  const Ran ran = falciform({"demo", "--out", (folder / "demo").string()});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const std::filesystem::path results = folder / "demo" / "results";
+  EXPECT_THAT(ran.out, HasSubstr((results / "pictures").string()));
+
+  std::set<std::string> pictures;
+  for (const auto& entry : std::filesystem::directory_iterator(results / "pictures")) {
+    const RenderedImage image = readPng(entry.path());
+    std::set<std::array<int, 3>> colours;
+    for (int y = 0; y < image.height; y += 2)
+      for (int x = 0; x < image.width; x += 2) colours.insert(image.at(x, y));
+    EXPECT_GT(colours.size(), 20u) << entry.path();  // an empty picture holds the background and the notice
+    pictures.insert(entry.path().filename().string());
+  }
+  EXPECT_THAT(pictures,
+              testing::ElementsAre("after.png", "before.png", "convergence.png", "distance_preop.png",
+                                   "distance_scan.png", "histogram.png", "preop.png", "scan.png"));
+
+  const std::string report = readTextFile(results / "report.html");
+  for (const char* link : {"http:", "https:", "src=\"/", "href="}) EXPECT_THAT(report, Not(HasSubstr(link)));
+  for (const char* words : {"data:image/png;base64,iVBORw0KGgo", "not a medical device",
+                            "fit, not target error", "SHA-256", "Target error"})
+    EXPECT_THAT(report, HasSubstr(words));
+  EXPECT_THAT(report, Not(HasSubstr(folder.path().filename().string())));
+
+  const auto json = nlohmann::json::parse(readTextFile(results / "run.json"));
+  const auto error = json["figures"]["target_error"];
+  // The built-in liver bends by up to 6 mm: the pose must come close to the best that a rigid motion can do.
+  EXPECT_LT(error["mean_mm"].get<double>(), 1.4 * error["optimal_rigid_mean_mm"].get<double>() + 1.0);
+  EXPECT_TRUE(json["figures"]["import"]["closed_manifold"]);
+
+  const Ran again = falciform(
+      {"run", (folder / "demo" / "case").string(), "--out", (folder / "again").string(), "--threads", "1"});
+  ASSERT_EQ(again.exitCode, 0) << again.err;
+  for (const char* name : {"scan_from_preop.txt", "preop_distance.vtp", "distance.csv"})
+    EXPECT_TRUE(readTextFile(folder / "again" / name) == readTextFile(results / name))
+        << name << ": run and demo differ";
+}
+
+}  // namespace
+}  // namespace falciform::test
