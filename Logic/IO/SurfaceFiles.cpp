@@ -89,9 +89,9 @@ void writeSurface(const std::filesystem::path& file, const Surface& surface, Ove
     throw InputError("the surface for '" + file.string() + "' has no points; there is nothing to write");
   const std::string extension = extensionOf(file);
   if (extension == ".vtp")
-    writeFile(file, overwrite, [&](const auto& temporary) { writeVtp(temporary, surface); });
+    writeTextFile(file, overwrite, vtpOf(surface));
   else if (extension == ".vtk")
-    writeFile(file, overwrite, [&](const auto& temporary) { writeLegacyVtk(temporary, surface); });
+    writeTextFile(file, overwrite, legacyVtkOf(surface));
   else if (extension == ".stl")
     writeTextFile(file, overwrite, stlOf(surface));
   else if (extension == ".ply")

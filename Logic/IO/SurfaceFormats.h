@@ -37,8 +37,8 @@ void checkVtp(const std::string& bytes, const std::string& name);
 [[nodiscard]] std::string plyOf(const Surface& surface);  ///< binary little endian, double precision
 [[nodiscard]] std::string objOf(const Surface& surface);  ///< points in their order, 17 digits
 [[nodiscard]] std::string stlOf(const Surface& surface);  ///< binary, float precision; needs triangles
-void writeVtp(const std::filesystem::path& file, const Surface& surface);
-void writeLegacyVtk(const std::filesystem::path& file, const Surface& surface);
+[[nodiscard]] std::string vtpOf(const Surface& surface);
+[[nodiscard]] std::string legacyVtkOf(const Surface& surface);
 
 /// "LPS" of "3D Slicer output. SPACE=LPS": the text after "SPACE=" up to the line's end or a semicolon; none
 /// if not there.

@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <map>
+#include <stdexcept>
 
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/SurfaceFormats.h"
@@ -52,15 +53,13 @@ RawSurface readWith(Reader* reader, const std::string& name,
   return raw;
 }
 
+/// Into memory, so that a full disk is told of by our own writer, in plain words and with the file's name.
 template <class Writer>
-void writeWith(Writer* writer, const std::filesystem::path& file) {
-  writer->SetFileName(file.c_str());
+void writeInto(Writer* writer) {
+  writer->WriteToOutputStringOn();
   bool done = false;
   const std::string problem = vtkErrorsOf([&] { done = writer->Write() == 1; });
-  if (done && problem.empty() && writer->GetErrorCode() == vtkErrorCode::NoError) return;
-  throw InputError(
-      "cannot write the surface: " + (problem.empty() ? std::string("the disk may be full") : problem) +
-      "; make room or choose another folder");
+  if (!done || !problem.empty()) throw std::runtime_error("VTK cannot encode the surface: " + problem);
 }
 
 }  // namespace
@@ -102,20 +101,22 @@ RawSurface readLegacyVtk(const std::string& bytes, const std::string& name) {
   return raw;
 }
 
-void writeVtp(const std::filesystem::path& file, const Surface& surface) {
+std::string vtpOf(const Surface& surface) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(toVtk(surface));
-  writeWith(writer.Get(), file);
+  writeInto(writer.Get());
+  return writer->GetOutputString();
 }
 
-void writeLegacyVtk(const std::filesystem::path& file, const Surface& surface) {
+std::string legacyVtkOf(const Surface& surface) {
   vtkNew<vtkPolyDataWriter> writer;
   writer->SetInputData(toVtk(surface));
   writer->SetFileVersion(
       vtkPolyDataWriter::VTK_LEGACY_READER_VERSION_4_2);  // 5.1 is not read by many programs
   writer->SetFileTypeToBinary();
   writer->SetHeader(("3D Slicer output. " + spaceTagOf(surface)).substr(0, 255).c_str());
-  writeWith(writer.Get(), file);
+  writeInto(writer.Get());
+  return writer->GetOutputStdString();
 }
 
 }  // namespace falciform
