@@ -29,7 +29,7 @@ class BoxTree {
                   Leaf&& leaf) const;
 
  private:
-  static constexpr int kWidth = 4, kLeafItems = 4, kStack = 256;
+  static constexpr int kWidth = 4, kLeafItems = 8, kStack = 256;
   using Four = Eigen::Array4f;
 
   struct Node {
