@@ -29,11 +29,13 @@ void press(MainWindow& window, const char* button) {
 
 }  // namespace
 
-/// Walks a case through the modules and saves a picture of the window at each: for eyes, and for the user guide.
+/// Walks a case through the modules and saves a picture of the window at each: for eyes, and for the user
+/// guide.
 ///   WindowPictures FOLDER [CASE or FILE...]
 int main(int argc, char** argv) {
   const test::TemporaryFolder settings;
-  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QString::fromStdString(settings.path().string()));
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
+                     QString::fromStdString(settings.path().string()));
   CaseView3D::prepareApplication();
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication application(argc, argv);
@@ -44,7 +46,8 @@ int main(int argc, char** argv) {
   }
   const QString folder = argv[1];
   Workbench bench;
-  QObject::connect(&bench.log, &Log::added, [](Log::Level, const QString& text) { std::puts(qPrintable(text)); });
+  QObject::connect(&bench.log, &Log::added,
+                   [](Log::Level, const QString& text) { std::puts(qPrintable(text)); });
   MainWindow window(bench);
   window.show();
   QTest::qWait(500);

@@ -10,6 +10,7 @@
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Modules/ModuleList.h"
+#include "Modules/Registration/RegistrationPanel.h"
 #include "Testing/Gui/WindowFixture.h"
 #include "Testing/Support/SmallSurfaces.h"
 #include "Testing/Support/TemporaryFolder.h"
@@ -121,6 +122,27 @@ TEST_F(WindowTest, CancelStopsTheJobAndSaysSo) {
   click("jobCancel");
   waitUntil([&] { return !bench->runner.busy(); }, "the job's end", 10);
   EXPECT_TRUE(control<QLabel>("jobText").text().contains("stopped"));
+}
+
+TEST_F(WindowTest, StopKeepsThePoseOfTheLastIterationAndTheCurve) {
+  bench->document.setPreop(std::make_shared<const Surface>(lumpyBody(5)));
+  bench->document.setScan(
+      std::make_shared<const Surface>(transformed(lumpyBody(5), randomMotion(3, 50), "scanner")));
+  window->showModule("Registration");
+  auto* panel = qobject_cast<RegistrationPanel*>(window->currentPanel());
+  ASSERT_TRUE(panel);
+  panel->logic().settings.relaxation = 1e-4;  // the patch weight falls over tens of thousands of iterations
+  panel->logic().settings.maxIterations = 100000;
+  click("register");
+  waitUntil([&] { return bench->view.options().livePreopFromScan.has_value(); }, "the first iterations");
+  click("stop");
+  waitIdle();
+  const auto& kept = bench->document.registration();
+  ASSERT_TRUE(kept) << errors.join(" ").toStdString();
+  EXPECT_EQ(kept->stopReason, "stopped by the user");
+  ASSERT_FALSE(kept->history.empty());
+  EXPECT_TRUE(kept->scanFromPreop.isApprox(kept->history.back().preopFromScan.inverse(), 1e-12));
+  EXPECT_FALSE(bench->view.options().livePreopFromScan.has_value());
 }
 
 TEST_F(WindowTest, UnsavedChangesAreNotLostWithoutAQuestion) {

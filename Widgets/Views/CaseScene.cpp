@@ -172,6 +172,7 @@ void CaseScene::followTexts(const Wanted& now) {
     for (const auto& [label, name] : names) entries.push_back({patchColour(label), name});
   }
   legend_.show(entries);
+  legendLines_ = static_cast<int>(entries.size());
 }
 
 std::vector<ShownSurface> CaseScene::shown() const {
@@ -228,12 +229,9 @@ void CaseScene::fit(double widthPx, double heightPx) {
   }
   directedScanAlone_ = scanAlone();
   ViewMargins margins;
-  margins.top = std::min(0.3, 1.9 * textPx_ / heightPx + 0.03);  // a title's line
-  // Legend or colour bar, with their words, stand beside the liver rather than on it.
-  if (fittedDistance_)
-    margins.right = std::min(0.4, 11.5 * textPx_ / widthPx);
-  else
-    margins.left = std::min(0.3, 4.0 * textPx_ / widthPx);
+  // Title, legend and colour bar with their words stand beside the liver rather than on it.
+  margins.top = std::min(0.3, (legendLines_ > 0 ? 3.2 + 1.5 * legendLines_ : 2.6) * textPx_ / heightPx);
+  if (fittedDistance_) margins.right = std::min(0.4, 11.5 * textPx_ / widthPx);
   fitView(scene_.renderer(), points, direction, widthPx / heightPx, margins);
 }
 

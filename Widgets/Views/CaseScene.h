@@ -66,6 +66,7 @@ class CaseScene {
   std::map<std::string, SurfacePresenter*> structures_;
   std::vector<ShownSurface> fitted_;  ///< what was on screen when follow() last asked for a fit
   bool fittedDistance_ = false;
+  int legendLines_ = 0;
   std::optional<bool> directedScanAlone_;  ///< the frame that the camera's direction belongs to
   std::shared_ptr<const RegistrationResult> fittedRegistration_;
 };

@@ -63,6 +63,9 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
 
   parts_->canvas = new QVTKOpenGLNativeWidget(this);
   parts_->canvas->setObjectName("canvas");
+  // The scene's texts are laid out in true pixels; VTK is not to enlarge them a second time on a dense
+  // screen.
+  parts_->canvas->setUnscaledDPI(static_cast<int>(std::lround(72 / devicePixelRatioF())));
   parts_->canvas->setRenderWindow(parts_->window);
   parts_->canvas->setFocusPolicy(Qt::StrongFocus);
   parts_->canvas->setMinimumSize(320, 240);
@@ -147,9 +150,10 @@ void CaseView3D::follow() {
   followPainting();
   if (parts_->fitWanted && parts_->canvas->isVisible()) {
     parts_->fitWanted = false;
-    fit();
+    fit();  // renders
+  } else {
+    parts_->window->Render();
   }
-  parts_->window->Render();
 }
 
 void CaseView3D::followPainting() {
