@@ -117,8 +117,7 @@ TEST_F(WindowTest, DestroyingTheWindowDuringAJobIsSafe) {
 
 TEST_F(WindowTest, CancelStopsTheJobAndSaysSo) {
   bench->runner.start("Working", endless, [](int) {});
-  handleEvents();
-  EXPECT_TRUE(control<QLabel>("jobText").text().contains("working"));
+  waitUntil([&] { return control<QLabel>("jobText").text().contains("working"); }, "the stage's text", 10);
   click("jobCancel");
   waitUntil([&] { return !bench->runner.busy(); }, "the job's end", 10);
   EXPECT_TRUE(control<QLabel>("jobText").text().contains("stopped"));

@@ -80,7 +80,7 @@ TEST(SettingsForm, ResetRestoresEveryDefault) {
   settings.robustScaleMm = 9;
   settings.patches = {2};
   SettingsForm form(settings);
-  form.resetToDefaults();
+  click(form, "resetToDefaults");
   EXPECT_EQ(settingsToJson(settings), settingsToJson(RegistrationSettings{}));
   EXPECT_EQ(child<QSpinBox>(form, "maxIterations").value(), RegistrationSettings{}.maxIterations);
 }

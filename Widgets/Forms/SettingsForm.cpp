@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QRegularExpressionValidator>
 #include <QSignalBlocker>
@@ -86,7 +87,17 @@ SettingsForm::SettingsForm(QWidget* parent) : QWidget(parent), rows_(std::make_u
   rows_->more->setAutoRaise(true);
   rows_->more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   rows_->more->setArrowType(Qt::RightArrow);
-  column->addWidget(rows_->more);
+  auto* defaults = new QToolButton(this);
+  defaults->setObjectName("resetToDefaults");
+  defaults->setText(tr("Defaults"));
+  defaults->setToolTip(tr("Set every setting of this form back to its default"));
+  defaults->setAutoRaise(true);
+  connect(defaults, &QToolButton::clicked, this, &SettingsForm::resetToDefaults);
+  auto* row = new QHBoxLayout;
+  row->addWidget(rows_->more);
+  row->addStretch(1);
+  row->addWidget(defaults);
+  column->addLayout(row);
   rows_->foldedBox = new QWidget(this);
   rows_->folded = new QFormLayout(rows_->foldedBox);
   rows_->folded->setContentsMargins(12, 0, 0, 0);

@@ -161,10 +161,13 @@ void CaseScene::followTexts(const Wanted& now) {
     title_.setText("Positive: the intra-operative surface lies outside the pre-operative one");
   } else {
     bar_.clear();
-    title_.setText(view_.options().livePreopFromScan ? "Registering"
-                   : case_.registrationStale() && now.preop && now.scan && view_.options().afterRegistration
-                       ? "Registration is out of date"
-                       : "");
+    const bool outdated =
+        case_.registrationStale() && now.preop && now.scan && view_.options().afterRegistration;
+    title_.setText(!now.preop && !now.scan && structures_.empty()
+                       ? "Open or drop a label map, surface, scan or case"
+                   : view_.options().livePreopFromScan ? "Registering"
+                   : outdated                          ? "Registration is out of date"
+                                                       : "");
     std::map<int, std::string> names;
     for (const auto& surface : {now.preop, now.scan})
       if (surface)

@@ -53,6 +53,7 @@ CaseTree::CaseTree(Case& document, ViewState& view, QWidget* parent)
 void CaseTree::addFact(const QString& name, const QString& facts) {
   auto* item = new QTreeWidgetItem(this, {name});
   item->setFlags(Qt::ItemIsEnabled);
+  item->setFirstColumnSpanned(true);
   item->setToolTip(kName, facts);
 }
 

@@ -154,6 +154,8 @@ void CaseView3D::follow() {
   } else {
     parts_->window->Render();
   }
+  // What lies under a resting mouse may have changed as well.
+  if (parts_->canvas->underMouse()) parts_->probeTimer->start();
 }
 
 void CaseView3D::followPainting() {
