@@ -18,15 +18,14 @@ void CommandRun::warn(const std::string& warning) {
   auto& known = provenance.warnings;
   if (std::find(known.begin(), known.end(), warning) != known.end()) return;
   known.push_back(warning);
-  clearLine();
-  std::cerr << "warning: " << warning << std::endl;
 }
 
 void CommandRun::warn(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) warn(warning);
 }
 
-void CommandRun::flushLines() const {
+void CommandRun::print() const {
+  for (const std::string& warning : provenance.warnings) std::cerr << "warning: " << warning << '\n';
   if (quiet) return;
   for (const std::string& line : lines_) std::cout << line << '\n';
 }

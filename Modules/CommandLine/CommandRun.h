@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -23,18 +22,18 @@ class CommandRun {
   Outputs outputs;
   Provenance provenance;
   bool quiet = false;
-  std::function<void()> clearLine = [] {
-  };  ///< takes the progress line off the terminal before anything else is printed
   nlohmann::json settings = nlohmann::json::object();
   nlohmann::json figures = nlohmann::json::object();  ///< units in the keys
   nlohmann::json frames = nlohmann::json::object();   ///< what is in which coordinates, in words
 
-  /// One warning, on stderr at once and in the sidecar; the same words are not repeated.
+  /// One warning, for the sidecar and, when all is done, for stderr: a run that fails prints its one line and
+  /// no more. The same words are not repeated.
   void warn(const std::string& warning);
   void warn(const std::vector<std::string>& warnings);
-  /// One line for stdout, printed when all is written; unless --quiet.
+  /// One line for stdout, unless --quiet.
   void say(const std::string& line) { lines_.push_back(line); }
-  void flushLines() const;
+  /// Prints warnings and lines.
+  void print() const;
 
   // Readers: value, warnings and SHA-256 in one call. Warnings name the file.
   [[nodiscard]] Surface surface(const std::filesystem::path& file);

@@ -33,7 +33,7 @@ figcaption { margin-top: .35rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: .9rem; margin: .4rem 0 1rem; }
 th, td { text-align: left; padding: .32rem .7rem; border-bottom: 1px solid var(--line); vertical-align: top; overflow-wrap: anywhere; }
-th { background: var(--panel); font-weight: 600; } tbody tr:hover { background: var(--panel); }
+th { background: var(--panel); font-weight: 600; overflow-wrap: normal; } tbody tr:hover { background: var(--panel); }
 .n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; overflow-wrap: normal; }
 footer { margin-top: 3rem; color: var(--soft); font-size: .85rem; border-top: 1px solid var(--line); padding-top: .8rem; }
 @media (max-width: 520px) { .pictures { grid-template-columns: 1fr; } main { padding: 1rem; } }

@@ -51,18 +51,17 @@ void execute(const Command& command, const Syntax& syntax, const ParsedArguments
   run.provenance.startedUtc = utcNow();
   run.provenance.seed = static_cast<std::uint64_t>(arguments.integer("seed"));
   run.provenance.threads = threads();
-  run.clearLine = [style] { clearProgressLine(style); };
   const bool report = arguments.has("report");
   if (report) run.outputs.announce(arguments.path("report"));
   command.run(arguments, run);
   run.progress.report(1.0, "Writing");
   if (report) run.writeSidecar(arguments.path("report"));
   run.outputs.commit();
-  run.clearLine();
+  clearProgressLine(style);
   if (arguments.has("returnparameterfile"))
     writeTextFile(arguments.path("returnparameterfile"), Overwrite::Replace,
                   returnParameters(syntax.results(), run.figures));
-  run.flushLines();
+  run.print();
 }
 
 void dispatch(const std::vector<std::string>& words, const std::stop_source& stop) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <charconv>
 #include <sstream>
 
@@ -18,6 +19,17 @@ void checkNumber(const Argument& argument, double value) {
   const std::string flag = shown(argument);
   checkRange(FieldInfo{flag, argument.label, argument.unit, argument.min, argument.max, argument.help},
              value);
+}
+
+/// A wrong ending of an output shall not show after minutes of computing.
+void checkEnding(const Argument& argument, const std::string& value) {
+  static const std::vector<std::string_view> surfaces{".vtp", ".vtk", ".stl", ".ply", ".obj"},
+      transforms{".tfm", ".txt", ".json"};
+  const auto& allowed = argument.kind == ArgumentKind::Surface ? surfaces : transforms;
+  std::string ending = std::filesystem::path(value).extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (std::find(allowed.begin(), allowed.end(), ending) == allowed.end())
+    throw InputError(shown(argument) + " is '" + value + "'; let it end in " + listOfNames(allowed));
 }
 
 void checkValue(const Argument& argument, const std::string& value) {
@@ -37,6 +49,10 @@ void checkValue(const Argument& argument, const std::string& value) {
         throw InputError(shown(argument) + " is '" + value + "'; choose " + listOfNames(names));
       }
       break;
+    case ArgumentKind::Surface:
+    case ArgumentKind::Transform:
+      if (argument.output) checkEnding(argument, value);
+      [[fallthrough]];
     default:
       if (value.empty()) throw InputError(shown(argument) + " is empty; give a value");
   }

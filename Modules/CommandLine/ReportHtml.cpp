@@ -59,9 +59,9 @@ std::string reportHtml(const CaseOutcome& outcome, const CaseSettings& settings,
       "<div class=\"banner\">" + notice + "</div>\n<main>\n<h1>" + escaped(outcome.name) + "</h1>\n";
   body += htmlParagraph(
       "Rigid registration of an intra-operative scan to the pre-operative liver, and the distance that "
-      "remains. " +
-          provenance.startedUtc + ", Falciform " + kVersion + ".",
+      "remains.",
       "soft");
+  body += htmlParagraph("Started " + provenance.startedUtc + ", Falciform " + kVersion + ".", "soft");
   body += cards(outcome) + warningList(provenance);
   body += htmlSection("Pictures", pictureGrid(pictures));
   body += surfaceSection(outcome) + patchSection(outcome) + registrationSection(outcome) +

@@ -123,7 +123,7 @@ std::string registrationSection(const CaseOutcome& outcome) {
   table.row({"Rotation", fixed(fit.rotationDeg, 2), "deg", "against " + outcome.start.reference});
   table.row({"Translation", fixed(fit.translationMm, 2), "mm",
              "of the scan's centroid, against " + outcome.start.reference});
-  table.row({"Start", outcome.start.words, "", ""});
+  table.row({"Start", "", "", outcome.start.words});
   table.row({"Iterations", std::to_string(fit.iterations), "", fit.stopReason});
   table.row({"Converged", fit.converged ? "yes" : "no", "", ""});
   table.row({"Points", count(fit.scanPoints) + " / " + count(fit.preopPoints), "", "scan / pre-op"});

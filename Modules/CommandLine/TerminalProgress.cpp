@@ -55,12 +55,8 @@ std::stop_source stopOnSignals() {
   // the mask.
   sigset_t waited;
   sigemptyset(&waited);
-  for (const int signal : {SIGINT, SIGTERM}) {
-    struct sigaction now {};
-    sigaction(signal, nullptr, &now);
-    if (now.sa_handler != SIG_IGN)
-      sigaddset(&waited, signal);  // nohup and background jobs asked not to be told
-  }
+  sigaddset(&waited, SIGINT);  // also where a script's shell has it ignored for jobs in the background
+  sigaddset(&waited, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &waited, nullptr);
   std::thread([source, waited]() mutable {
     int signal = 0;

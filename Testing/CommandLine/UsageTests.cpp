@@ -48,6 +48,7 @@ TEST(Usage, MistakesAreOneLineWithExitCodeTwo) {
   refused({"register", "--preop", "a.vtp", "--scan", "b.vtp", "--out", out, "--targets", "t.fcsv"},
           "--truth-targets");
   refused({"patches", "--from", "a.vtp", "--out", out + ".vtp"}, "--to is missing");
+  refused({"import", "a.nii", "--out", out + ".xyz"}, ".vtp, .vtk, .stl, .ply or .obj");
   refused({"info", "nowhere.vtp"}, "'nowhere.vtp' does not exist");
 }
 
