@@ -9,11 +9,11 @@ namespace falciform {
 
 /// The closest place of a surface to a query.
 struct ClosestPlace {
-  int triangle = -1;                            ///< -1: none within the bound
-  Vector3d point = Vector3d::Zero();            ///< mm
-  Vector3d barycentric = Vector3d::Zero();      ///< weights of the triangle's three vertices
+  int triangle = -1;                                          ///< -1: none within the bound
+  Vector3d point = Vector3d::Zero();                          ///< mm
+  Vector3d barycentric = Vector3d::Zero();                    ///< weights of the triangle's three vertices
   double distance = std::numeric_limits<double>::infinity();  ///< mm, >= 0
-  double side = 1;                              ///< +1 outside, -1 inside, by the angle-weighted pseudonormal (Baerentzen, Aanaes 2005)
+  double side = 1;  ///< +1 outside, -1 inside, by the angle-weighted pseudonormal (Baerentzen, Aanaes 2005)
 };
 
 struct RayHit {
@@ -22,7 +22,8 @@ struct RayHit {
   Vector3d point = Vector3d::Zero();
 };
 
-/// Exact point-to-triangle queries and ray casts by a bounding-volume tree. Immutable; any number of threads may ask.
+/// Exact point-to-triangle queries and ray casts by a bounding-volume tree. Immutable; any number of threads
+/// may ask.
 class TriangleTree {
  public:
   /// Throws InputError if the surface has no triangles.

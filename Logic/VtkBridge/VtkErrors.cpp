@@ -65,7 +65,8 @@ vtkStandardNewMacro(CapturingWindow);
 /// Puts the capturing window in place, and the state of before back, also when `work` throws.
 class Capture {
  public:
-  Capture() : displayed_(vtkObject::GetGlobalWarningDisplay()), logged_(vtkLogger::GetCurrentVerbosityCutoff()) {
+  Capture()
+      : displayed_(vtkObject::GetGlobalWarningDisplay()), logged_(vtkLogger::GetCurrentVerbosityCutoff()) {
     window->previous = vtkOutputWindow::GetInstance();
     vtkObject::SetGlobalWarningDisplay(1);  // otherwise VTK would swallow the error itself
     vtkOutputWindow::SetInstance(window);

@@ -53,6 +53,7 @@ function(falciform_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE FalciformOptions ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
+  list(JOIN ARG_ENVIRONMENT "\\;" environment)  # one property value, not several
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
-    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "FALCIFORM_TEST=1;${ARG_ENVIRONMENT}")
+    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
 endfunction()
