@@ -42,13 +42,11 @@ namespace {
 }  // namespace
 
 Ran falciform(const std::vector<std::string>& arguments, const RunOptions& options) {
-  const char* executable = std::getenv("FALCIFORM_EXECUTABLE");
-  if (!executable) throw std::runtime_error("FALCIFORM_EXECUTABLE is not set; run the tests through ctest");
   const TemporaryFolder folder;
   const std::string out = options.standardOutput.empty() ? (folder / "out").string() : options.standardOutput;
   const std::string err = (folder / "err").string();
   const pid_t child = fork();
-  if (child == 0) become(executable, arguments, options, out, err);
+  if (child == 0) become(FALCIFORM_EXECUTABLE, arguments, options, out, err);
   int status = 0;
   bool interrupted = false;
   while (waitpid(child, &status, WNOHANG) == 0) {

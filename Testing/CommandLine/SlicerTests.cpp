@@ -48,18 +48,17 @@ TEST(Slicer, AnUntouchedFieldDoesNotOverruleThePreset) {
 }
 
 TEST(Slicer, WrappersAnswerWithTheirDescriptionWhateverSlicerSetInTheEnvironment) {
-  const std::filesystem::path scripts =
-      std::filesystem::path(std::getenv("FALCIFORM_SOURCE")) / "Resources/Slicer";
+  const std::filesystem::path scripts = std::filesystem::path(FALCIFORM_SOURCE_DIR) / "Resources/Slicer";
   int wrappers = 0;
   for (const auto& entry : std::filesystem::directory_iterator(scripts)) {
     const std::string name = entry.path().filename().string();
     if (name.find('.') != std::string::npos) continue;  // Slicer takes names without a dot
     ++wrappers;
     const TemporaryFolder folder;
-    const std::string call =
-        "FALCIFORM=\"$FALCIFORM_EXECUTABLE\" LD_LIBRARY_PATH=/nowhere QT_PLUGIN_PATH=/nowhere '" +
-        entry.path().string() + "' --xml > '" + (folder / "xml").string() + "' 2> '" +
-        (folder / "err").string() + "'";
+    const std::string call = "FALCIFORM='" FALCIFORM_EXECUTABLE
+                             "' LD_LIBRARY_PATH=/nowhere QT_PLUGIN_PATH=/nowhere '" +
+                             entry.path().string() + "' --xml > '" + (folder / "xml").string() + "' 2> '" +
+                             (folder / "err").string() + "'";
     EXPECT_EQ(std::system(call.c_str()), 0) << name;
     EXPECT_THAT(readTextFile(folder / "xml"), testing::StartsWith("<?xml")) << name;
     EXPECT_EQ(readTextFile(folder / "err"), "") << name;
