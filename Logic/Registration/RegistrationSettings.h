@@ -22,7 +22,7 @@ inline std::span<const std::string_view> enumNames(RegistrationMethod) {
 
 /// Where the search begins.
 enum class RegistrationStart {
-  Patches,  ///< a handful of poses from the patches' centroids and principal axes, the best kept
+  Patches,  ///< every rotation of an even grid tried on the patch points, the best kept
   Given,    ///< the one pose given (identity unless landmarks or a file say otherwise)
 };
 inline std::span<const std::string_view> enumNames(RegistrationStart) {
@@ -61,7 +61,7 @@ void describe(RegistrationSettings& s, Visitor&& field) {
                   "icp: no patches; wgf: constant patch weight; picp: patch weight relaxed as the thesis."},
         s.method);
   field(FieldInfo{"start", "Start", "", 0, 0,
-                  "patches: a handful of poses from the patches, best kept; given: one start."},
+                  "patches: no pose needed, every rotation of a grid is tried on them; given: one start."},
         s.start);
   field(FieldInfo{"patches", "Patches", "", 1, 255,
                   "Patch labels to use; none means all that both sides have."},
