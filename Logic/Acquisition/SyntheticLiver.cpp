@@ -52,8 +52,8 @@ SyntheticLiver makeSyntheticLiver(const SyntheticLiverSettings& settings, const 
   }
   for (const auto& [name, tree, from] :
        {std::tuple("portal vein", &inside.portalVein, 0.84), {"hepatic vein", &inside.hepaticVein, 0.92}})
-    liver.structures[name] = meshImplicit([&](const Vector3d& p) { return tree->distance(p); }, tree->box(),
-                                          fine, fine, progress.part(from, from + 0.08));
+    liver.structures[name] = meshImplicit([&body = *tree](const Vector3d& p) { return body.distance(p); },
+                                          tree->box(), fine, fine, progress.part(from, from + 0.08));
   liver.targets = insideTargets(shape, inside);
   progress.report(1);
   return liver;
@@ -76,9 +76,10 @@ LabelMap makeSyntheticLabelMap(const SyntheticLiverSettings& settings, const Pro
       for (std::size_t n = begin; n < end; ++n) {
         const std::size_t at = static_cast<std::size_t>(k) * perSlice + n;
         if (depth.voxels[at] <= 0) continue;
-        const auto i = static_cast<double>(n % static_cast<std::size_t>(depth.size.x()));
-        const auto j = static_cast<double>(n / static_cast<std::size_t>(depth.size.x()));
-        labels.voxels[at] = labelInside(inside, depth.world({i, j, static_cast<double>(k)}));
+        const std::size_t j = n / static_cast<std::size_t>(depth.size.x());
+        const std::size_t i = n - j * static_cast<std::size_t>(depth.size.x());
+        const Vector3d index(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+        labels.voxels[at] = labelInside(inside, depth.world(index));
       }
     });
   }
