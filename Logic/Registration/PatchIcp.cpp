@@ -1,12 +1,12 @@
 #include "Logic/Registration/PatchIcp.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Sampling.h"
+#include "Logic/Registration/PointRegistration.h"
 
 namespace falciform {
 
@@ -40,14 +40,7 @@ struct PairSums {
   }
   [[nodiscard]] Isometry3d fit() const {
     const Vector3d s = source / weight, t = target / weight;
-    const Eigen::JacobiSVD<Matrix3d> svd(cross - weight * s * t.transpose(),
-                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Vector3d signs = Vector3d::Ones();
-    if ((svd.matrixV() * svd.matrixU().transpose()).determinant() < 0) signs.z() = -1;
-    Isometry3d motion = Isometry3d::Identity();
-    motion.linear() = svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
-    motion.translation() = t - motion.linear() * s;
-    return motion;
+    return rigidFromMoments(s, t, cross - weight * s * t.transpose());
   }
 };
 

@@ -61,12 +61,20 @@ Vector3d principalSpread(const Points& points) {
 
 }  // namespace
 
-Isometry3d fitRigid(const Points& source, const Points& target, const VectorXd& weights) {
-  const Moments m = momentsOf(source, target, weights);
-  const Eigen::JacobiSVD<Matrix3d> svd(m.cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
+Isometry3d rigidFromMoments(const Vector3d& sourceCentroid, const Vector3d& targetCentroid,
+                            const Matrix3d& cross) {
+  const Eigen::JacobiSVD<Matrix3d> svd(cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Vector3d signs = Vector3d::Ones();
   if ((svd.matrixV() * svd.matrixU().transpose()).determinant() < 0) signs.z() = -1;
-  return motion(svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose(), m);
+  Isometry3d result = Isometry3d::Identity();
+  result.linear() = svd.matrixV() * signs.asDiagonal() * svd.matrixU().transpose();
+  result.translation() = targetCentroid - result.linear() * sourceCentroid;
+  return result;
+}
+
+Isometry3d fitRigid(const Points& source, const Points& target, const VectorXd& weights) {
+  const Moments m = momentsOf(source, target, weights);
+  return rigidFromMoments(m.source, m.target, m.cross);
 }
 
 Isometry3d fitRigidHorn(const Points& source, const Points& target, const VectorXd& weights) {

@@ -11,6 +11,11 @@ namespace falciform {
 /// correspond; weights N values > 0 or empty. No checks: use registerPoints for user input.
 [[nodiscard]] Isometry3d fitRigid(const Points& source, const Points& target, const VectorXd& weights = {});
 
+/// The closed form itself: the motion from the two weighted centroids, mm, and the 3 x 3 cross-covariance
+/// sum_i w_i (source_i - s)(target_i - t)^T.
+[[nodiscard]] Isometry3d rigidFromMoments(const Vector3d& sourceCentroid, const Vector3d& targetCentroid,
+                                          const Matrix3d& cross);
+
 /// The same motion by Horn's unit quaternion (1987): the answer of fitRigid by another road.
 [[nodiscard]] Isometry3d fitRigidHorn(const Points& source, const Points& target,
                                       const VectorXd& weights = {});
