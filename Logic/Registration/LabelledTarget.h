@@ -18,8 +18,6 @@ class LabelledTarget {
   [[nodiscard]] const Points& points() const { return points_; }
   [[nodiscard]] int labelOf(int point) const { return labels_[static_cast<std::size_t>(point)]; }
   [[nodiscard]] bool has(int label) const { return trees_.contains(label); }
-  /// Label `label` if it is in use, else 0.
-  [[nodiscard]] int used(int label) const { return has(label) ? label : 0; }
 
   /// The point that minimises d = w_PC |s - t| where labels agree (both > 0), |s - t| otherwise: exactly,
   /// ties to the lowest index. `weight` is w_PC in (0, 1]. The distance returned is the real one. `guess` -1

@@ -35,23 +35,22 @@ std::vector<int> sharedLabels(const Surface& preop, const Surface& scan,
   return shared;
 }
 
-void checkInput(const Surface& preop, const Surface& scan, const RegistrationSettings& settings) {
+void checkInput(const Surface& scan, const RegistrationSettings& settings) {
   checkSettings(settings);
-  checkSurface(preop, "pre-op surface");
   checkSurface(scan, "scan");
-  for (const auto& [surface, side] : {std::pair(&preop, "pre-op surface"), std::pair(&scan, "scan")})
-    if (surface->size() < 3)
-      throw InputError(std::string(side) + " has " + std::to_string(surface->size()) +
-                       " points; a pose needs at least 3");
+  if (scan.size() < 3)
+    throw InputError("scan has " + std::to_string(scan.size()) + " points; a pose needs at least 3");
   if (settings.weightBase > settings.weightMax)
     throw InputError(
         "weightBase is larger than weightMax; the patch weight falls from weightMax to weightBase");
 }
 
-LabelledSource sourceOf(const Surface& scan, const LabelledTarget& target) {
+/// The scan's points; a label that is not in use counts as none.
+LabelledSource sourceOf(const Surface& scan, const std::vector<int>& labels) {
   LabelledSource source{scan.points, std::vector<int>(static_cast<std::size_t>(scan.size()), 0)};
   for (Index i = 0; i < scan.size(); ++i)
-    source.labels[static_cast<std::size_t>(i)] = target.used(scan.patchAt(i));
+    if (std::binary_search(labels.begin(), labels.end(), scan.patchAt(i)))
+      source.labels[static_cast<std::size_t>(i)] = scan.patchAt(i);
   return source;
 }
 
@@ -77,14 +76,15 @@ PatchIcpResult refine(const LabelledTarget& target, const LabelledSource& source
 
 }  // namespace
 
-RegistrationResult registerSurfaces(const Surface& preop, const Surface& scan,
+RegistrationResult registerSurfaces(const PreparedPreop& prepared, const Surface& scan,
                                     const RegistrationSettings& settings,
                                     const Isometry3d& scanFromPreopStart, const Progress& progress,
                                     const IterationObserver& observer) {
   const auto began = std::chrono::steady_clock::now();
-  checkInput(preop, scan, settings);
-  const LabelledTarget target(preop, sharedLabels(preop, scan, settings));
-  const LabelledSource source = sourceOf(scan, target);
+  checkInput(scan, settings);
+  const Surface& preop = prepared.surface();
+  const LabelledTarget& target = prepared.target();
+  const LabelledSource source = sourceOf(scan, sharedLabels(preop, scan, settings));
   const bool painted =
       std::any_of(source.labels.begin(), source.labels.end(), [](int label) { return label > 0; });
   const bool fromPatches = settings.start == RegistrationStart::Patches && painted;
@@ -110,6 +110,14 @@ RegistrationResult registerSurfaces(const Surface& preop, const Surface& scan,
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   progress.report(1, "registered");
   return result;
+}
+
+RegistrationResult registerSurfaces(const Surface& preop, const Surface& scan,
+                                    const RegistrationSettings& settings,
+                                    const Isometry3d& scanFromPreopStart, const Progress& progress,
+                                    const IterationObserver& observer) {
+  checkSettings(settings);
+  return registerSurfaces(PreparedPreop(preop), scan, settings, scanFromPreopStart, progress, observer);
 }
 
 }  // namespace falciform

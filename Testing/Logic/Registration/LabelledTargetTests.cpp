@@ -106,8 +106,8 @@ TEST(LabelledTarget, LabelsNotInUseAreNoBias) {
   for (Index q = 0; q < queries.rows(); ++q)
     EXPECT_EQ(target.closest(queries.row(q).transpose(), 2, 1e-4).index,
               bruteForce(surface, queries.row(q).transpose(), 0, 1));
-  EXPECT_EQ(target.used(2), 0);
-  EXPECT_EQ(target.used(1), 1);
+  EXPECT_FALSE(target.has(2));
+  EXPECT_TRUE(target.has(1));
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#pragma once
+#include <memory>
+
+#include "Logic/Core/Surface.h"
+#include "Logic/Registration/LabelledTarget.h"
+
+namespace falciform {
+
+/// The pre-operative side of a registration, made ready once: long before the scan is there, and for as many
+/// scans as come. Immutable; any number of registrations may use one at a time.
+class PreparedPreop {
+ public:
+  /// Throws InputError as checkSurface does, and for fewer than 3 points.
+  explicit PreparedPreop(const Surface& preop);
+
+  [[nodiscard]] const Surface& surface() const { return surface_; }
+  /// Every label of the surface is in use.
+  [[nodiscard]] const LabelledTarget& target() const { return *target_; }
+  /// N x 3 unit, outward; zero where a point has no triangle.
+  [[nodiscard]] const Points& normals() const { return normals_; }
+  /// N values, mm^2; ones for a cloud.
+  [[nodiscard]] const VectorXd& areas() const { return areas_; }
+
+ private:
+  Surface surface_;
+  Points normals_;
+  VectorXd areas_;
+  std::shared_ptr<const LabelledTarget> target_;
+};
+
+}  // namespace falciform
