@@ -30,12 +30,10 @@ struct View {
   }
 };
 
-View aim(const Surface& surface, const VirtualScannerSettings& s) {
-  const double az = s.azimuthDeg * kRadians, el = s.elevationDeg * kRadians;
+View aim(const Vector3d& lookAt, const VirtualScannerSettings& s) {
   View view;
-  // LPS: the front is -y, the patient's right is -x, the head is +z.
-  const Vector3d outwards(-std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el));
-  view.eye = centroid(surface.points) + s.distanceMm * outwards;
+  const Vector3d outwards = towardsScanner(s);
+  view.eye = lookAt + s.distanceMm * outwards;
   view.forward = -outwards;
   view.right = view.forward.cross(Vector3d::UnitZ()).normalized();
   view.down = view.forward.cross(view.right);
@@ -138,11 +136,22 @@ Surface withoutSpeckle(const Surface& scan) {
 
 }  // namespace
 
+Vector3d towardsScanner(const VirtualScannerSettings& s) {
+  const double az = s.azimuthDeg * kRadians, el = s.elevationDeg * kRadians;
+  // LPS: the front is -y, the patient's right is -x, the head is +z.
+  return {-std::sin(az) * std::cos(el), -std::cos(az) * std::cos(el), std::sin(el)};
+}
+
 VirtualScan scanSurface(const Surface& surface, const VirtualScannerSettings& settings,
                         const Progress& progress) {
+  return scanSurface(surface, centroid(surface.points), settings, progress);
+}
+
+VirtualScan scanSurface(const Surface& surface, const Vector3d& lookAt,
+                        const VirtualScannerSettings& settings, const Progress& progress) {
   checkSettings(settings);
   const TriangleTree tree(surface);
-  const View view = aim(surface, settings);
+  const View view = aim(lookAt, settings);
   const std::vector<Return> returns = castAll(tree, view, settings.grazingDeg, progress.part(0, 0.9));
 
   Raster raster{.rows = view.rows,

@@ -56,5 +56,11 @@ struct VirtualScan {
 /// at random by the seed. Throws InputError if nothing is seen.
 [[nodiscard]] VirtualScan scanSurface(const Surface& surface, const VirtualScannerSettings& settings,
                                       const Progress& progress = {});
+/// The same with the scanner aimed at `lookAt` (mm, in the surface's frame) instead of at the centroid.
+[[nodiscard]] VirtualScan scanSurface(const Surface& surface, const Vector3d& lookAt,
+                                      const VirtualScannerSettings& settings, const Progress& progress = {});
+
+/// Unit vector from what the scanner looks at towards where it stands, in the surface's frame.
+[[nodiscard]] Vector3d towardsScanner(const VirtualScannerSettings& settings);
 
 }  // namespace falciform

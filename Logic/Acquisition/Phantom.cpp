@@ -1,0 +1,139 @@
+#include "Logic/Acquisition/Phantom.h"
+
+#include <algorithm>
+
+#include "Logic/Acquisition/Draws.h"
+#include "Logic/Acquisition/LiverStructures.h"
+#include "Logic/Acquisition/PhantomBody.h"
+#include "Logic/Acquisition/PhantomCt.h"
+#include "Logic/Acquisition/PhantomPainting.h"
+#include "Logic/Acquisition/RegionCentroid.h"
+#include "Logic/Geometry/Measures.h"
+#include "Logic/Geometry/Sampling.h"
+#include "Logic/Geometry/SphereFit.h"
+#include "Logic/Geometry/Topology.h"
+
+namespace falciform {
+namespace {
+
+constexpr char kScanFrame[] = "scanner";
+
+Landmarks spheresOf(const PhantomBody& body) {
+  Landmarks spheres;
+  for (std::size_t s = 0; s < body.spheres.size(); ++s)
+    spheres.points.push_back({"sphere " + std::to_string(s + 1), body.spheres[s]});
+  return spheres;
+}
+
+Landmarks moved(Landmarks landmarks, const Isometry3d& scanFromPreop) {
+  landmarks.frame = kScanFrame;
+  for (Landmark& point : landmarks.points) point.position = scanFromPreop * point.position;
+  return landmarks;
+}
+
+/// Each landmark through `locate`, which is given a place near it as a user would click it: on the sphere, so
+/// never farther off than `longestMm`.
+template <class Locate>
+Landmarks located(const Landmarks& truth, double clickErrorMm, double longestMm, Draws draws,
+                  const Locate& locate) {
+  Landmarks found = truth;
+  for (Landmark& point : found.points) {
+    const Vector3d off = clickErrorMm * draws.normal3();
+    const Vector3d click = point.position + off * std::min(1.0, longestMm / std::max(off.norm(), 1e-9));
+    try {
+      point.position = locate(click);
+    } catch (const InputError& error) {
+      throw InputError(point.name + ": " + error.what());
+    }
+  }
+  return found;
+}
+
+/// White Teflon; the silicone has no ligament painted on, so its colour is that of one tissue all over.
+void colour(Surface& scan) {
+  for (Index i = 0; i < scan.size(); ++i)
+    if (scan.patchAt(i) >= patch::kFirstNamed) scan.colours.row(i) << 236, 236, 230;
+}
+
+/// The liver's points of the whole view, and the patches drawn on them.
+Surface liverOf(const Surface& wholeView, const LiverShape& liver, const Isometry3d& preopFromScan) {
+  std::vector<int> ids;
+  for (Index i = 0; i < wholeView.size(); ++i)
+    if (wholeView.patchAt(i) == patch::kNone) ids.push_back(static_cast<int>(i));
+  Surface scan = subset(wholeView, ids);
+  scan.patchNames.clear();
+  scan.patch = paintPhantomScan(liver, transformed(scan.points, preopFromScan));
+  return scan;
+}
+
+}  // namespace
+
+double rangeNoiseMm(double distanceMm) { return 0.3 + (1.0 - 0.3) * (distanceMm - 300) / (800 - 300); }
+
+PhantomPlan thesisPhantom() {
+  PhantomPlan plan;
+  plan.liver.edgeLengthMm = 1.0;
+  plan.liver.voxelMm = 1.1;
+  plan.scanner.stride = 1;
+  plan.scanner.windowShare = 1;
+  plan.scanner.azimuthDeg = 15;
+  plan.scanner.elevationDeg = -20;
+  plan.scanner.distanceMm = 450;
+  plan.scanner.fieldOfViewDeg = 46;
+  plan.scanner.noiseMm = rangeNoiseMm(plan.scanner.distanceMm);
+  return plan;
+}
+
+Vector3d locateSphere(const Points& scan, const Vector3d& click, double radiusMm) {
+  constexpr double kAround = 10;  // mm: three times a click's error
+  constexpr std::size_t kFewest = 30;
+  std::vector<int> near;
+  for (Index i = 0; i < scan.rows(); ++i)
+    if ((scan.row(i).transpose() - click).norm() < radiusMm + kAround) near.push_back(static_cast<int>(i));
+  if (near.size() < kFewest)
+    throw InputError("the scan has " + std::to_string(near.size()) +
+                     " points there; widen the field of view or move the scanner");
+  return fitSphereRobust(rowsOf(scan, near), radiusMm).centre;
+}
+
+PhantomCase makePhantomCase(const PhantomPlan& plan, const Progress& progress) {
+  checkSettings(plan.liver);
+  checkSettings(plan.scanner);
+  checkSettings(plan.phantom);
+  const double radius = plan.phantom.sphereRadiusMm, click = plan.phantom.clickErrorMm,
+               onSphere = 0.6 * radius;
+  const auto seed = static_cast<std::uint64_t>(plan.phantom.seed);
+  const LiverShape liver(plan.liver);
+  const PhantomBody body = placeSpheres(liver, radius, plan.phantom.sphereGapMm, plan.scanner);
+  PhantomCase made;
+  made.trueSpheresCt = spheresOf(body);
+  made.targets = insideTargets(liver, placeStructures(liver));
+
+  made.ct = imagePhantom(body, plan.liver.voxelMm, plan.phantom.ctNoiseHu, plan.phantom.seed,
+                         progress.part(0, 0.4));
+  made.ctSurface = siliconeSurface(made.ct);
+  const double ballMm3 = 4.2 * radius * radius * radius;
+  made.spheresCt = located(made.trueSpheresCt, click, onSphere, Draws(seed, 10), [&](const Vector3d& near) {
+    return growRegion(made.ct, near, phantom::kTeflonLevel, 2 * ballMm3).centre;
+  });
+  made.labels = labelPhantom(made.ct, body.spheres, radius);
+
+  const Surface mesh = meshPhantom(body, plan.liver.edgeLengthMm, progress.part(0.45, 0.8));
+  VirtualScan seen = scanSurface(mesh, middleOf(liver), plan.scanner, progress.part(0.8, 1));
+  made.scanFromPreop = seen.scanFromPreop;
+  made.wholeView = std::move(seen.scan);
+  colour(made.wholeView);
+  made.scan = liverOf(made.wholeView, liver, made.scanFromPreop.inverse());
+  made.coverage = area(made.scan) / area(made.ctSurface);
+  made.subRegion = subset(
+      made.scan, surgicalSubRegion(liver, transformed(made.scan.points, made.scanFromPreop.inverse())));
+  made.trueSpheresScan = moved(made.trueSpheresCt, made.scanFromPreop);
+  made.trueTargets = moved(made.targets, made.scanFromPreop);
+  made.spheresScan =
+      located(made.trueSpheresScan, click, onSphere, Draws(seed, 11),
+              [&](const Vector3d& near) { return locateSphere(made.wholeView.points, near, radius); });
+  progress.report(1);
+  return made;
+}
+
+}  // namespace falciform
