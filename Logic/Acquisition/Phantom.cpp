@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include "Logic/Acquisition/Draws.h"
 #include "Logic/Acquisition/LiverStructures.h"
 #include "Logic/Acquisition/PhantomBody.h"
 #include "Logic/Acquisition/PhantomCt.h"
 #include "Logic/Acquisition/PhantomPainting.h"
 #include "Logic/Acquisition/RegionCentroid.h"
-#include "Logic/Geometry/Measures.h"
+#include "Logic/Core/Draws.h"
 #include "Logic/Geometry/Sampling.h"
 #include "Logic/Geometry/SphereFit.h"
 #include "Logic/Geometry/Topology.h"
@@ -73,13 +72,13 @@ double rangeNoiseMm(double distanceMm) { return 0.3 + (1.0 - 0.3) * (distanceMm 
 PhantomPlan thesisPhantom() {
   PhantomPlan plan;
   plan.liver.edgeLengthMm = 1.0;
-  plan.liver.voxelMm = 1.1;
+  plan.liver.voxelMm = 1.09;
   plan.scanner.stride = 1;
   plan.scanner.windowShare = 1;
   plan.scanner.azimuthDeg = 15;
-  plan.scanner.elevationDeg = -20;
+  plan.scanner.elevationDeg = 10;
   plan.scanner.distanceMm = 450;
-  plan.scanner.fieldOfViewDeg = 46;
+  plan.scanner.fieldOfViewDeg = 51.7;
   plan.scanner.noiseMm = rangeNoiseMm(plan.scanner.distanceMm);
   return plan;
 }
@@ -124,7 +123,6 @@ PhantomCase makePhantomCase(const PhantomPlan& plan, const Progress& progress) {
   made.wholeView = std::move(seen.scan);
   colour(made.wholeView);
   made.scan = liverOf(made.wholeView, liver, made.scanFromPreop.inverse());
-  made.coverage = area(made.scan) / area(made.ctSurface);
   made.subRegion = subset(
       made.scan, surgicalSubRegion(liver, transformed(made.scan.points, made.scanFromPreop.inverse())));
   made.trueSpheresScan = moved(made.trueSpheresCt, made.scanFromPreop);

@@ -54,7 +54,6 @@ struct PhantomCase {
   Landmarks trueSpheresCt, trueSpheresScan;  ///< where they are
   Landmarks targets, trueTargets;            ///< inside the liver: LPS mm, and scanner mm
   Isometry3d scanFromPreop;                  ///< the truth
-  double coverage = 0;                       ///< share of the liver's area in `scan`
 };
 
 /// Builds, images, scans and locates. Deterministic by the plan. Throws InputError if a sphere is not in the

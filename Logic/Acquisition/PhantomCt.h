@@ -13,8 +13,8 @@ inline constexpr double kSiliconeLevel = 0.5 * (kAirHu + kSiliconeHu),
 inline constexpr int kSiliconeLabel = 1, kTeflonLabel = 2;
 }  // namespace phantom
 
-/// CT of the phantom, cubic voxels: each holds the mean over its volume (partial volume) and normal noise,
-/// rounded to whole units as a CT stores them.
+/// CT of the phantom, cubic voxels: each holds a weighted mean of what it sees (partial volume, one voxel's
+/// edge to either side) and normal noise, rounded to whole units as a CT stores them.
 [[nodiscard]] Image imagePhantom(const PhantomBody& body, double voxelMm, double noiseHu, int seed,
                                  const Progress& progress = {});
 
