@@ -14,6 +14,16 @@
 
 namespace falciform::commandline {
 
+/// A cancelled run that keeps what it has done so far; the message says what and where.
+class Interrupted : public Cancelled {
+ public:
+  explicit Interrupted(std::string what) : what_(std::move(what)) {}
+  const char* what() const noexcept override { return what_.c_str(); }
+
+ private:
+  std::string what_;
+};
+
 /// What a command works with beside its arguments: progress, inputs that are remembered with their digests,
 /// warnings that are said once, outputs that appear all or none, and the sidecar that tells of all these.
 class CommandRun {

@@ -5,7 +5,7 @@ namespace falciform::commandline {
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{importCommand(),     patchesCommand(), registerCommand(),
                                         distanceCommand(),   runCommand(),     demoCommand(),
-                                        synthesiseCommand(), infoCommand()};
+                                        synthesiseCommand(), trialsCommand(),  infoCommand()};
   return all;
 }
 

@@ -22,6 +22,7 @@ struct Command {
 [[nodiscard]] Command runCommand();
 [[nodiscard]] Command demoCommand();
 [[nodiscard]] Command synthesiseCommand();
+[[nodiscard]] Command trialsCommand();
 [[nodiscard]] Command infoCommand();
 
 /// All of them, in the order of the work.

@@ -84,6 +84,17 @@ std::string htmlParagraph(const std::string& text, const std::string& cssClass) 
   return (cssClass.empty() ? "<p>" : "<p class=\"" + cssClass + "\">") + escaped(text) + "</p>\n";
 }
 
+std::string htmlCard(const std::string& figure, const std::string& meaning) {
+  return "<div class=\"card\"><b>" + escaped(figure) + "</b><span>" + escaped(meaning) + "</span></div>\n";
+}
+
+std::string htmlWarnings(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return htmlParagraph("No warnings.", "soft");
+  std::string html = "<ul class=\"warnings\">\n";
+  for (const std::string& warning : warnings) html += "<li>" + escaped(warning) + "</li>\n";
+  return html + "</ul>\n";
+}
+
 std::string htmlPage(const std::string& title, const std::string& body) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +

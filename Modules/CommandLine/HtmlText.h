@@ -30,6 +30,11 @@ class HtmlTable {
 /// `<p>` with escaped text.
 [[nodiscard]] std::string htmlParagraph(const std::string& text, const std::string& cssClass = "");
 
+/// A figure set large with what it means under it, both escaped; several stand in one `<div class="cards">`.
+[[nodiscard]] std::string htmlCard(const std::string& figure, const std::string& meaning);
+/// The warnings as a list, escaped; "No warnings." if there is none.
+[[nodiscard]] std::string htmlWarnings(const std::vector<std::string>& warnings);
+
 /// A whole page in one file: no links, light and dark, fit to print.
 [[nodiscard]] std::string htmlPage(const std::string& title, const std::string& body);
 

@@ -110,6 +110,8 @@ int guarded(const std::vector<std::string>& words) {
     return kDone;
   } catch (const InputError& error) {
     return fail(kInputOrUsage, error.what());
+  } catch (const Interrupted& interrupted) {
+    return fail(kCancelled, interrupted.what());
   } catch (const Cancelled&) {
     return fail(kCancelled, "cancelled; nothing was written");
   } catch (const std::filesystem::filesystem_error& error) {

@@ -89,6 +89,7 @@ void Outputs::commit() {
     written_.push_back(file);
   }
   announced_.clear();
+  for (const fs::path& file : superseded_) fs::remove(file, error);
 }
 
 }  // namespace falciform::commandline

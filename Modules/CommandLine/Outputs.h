@@ -29,6 +29,8 @@ class Outputs {
   /// Moves what was written to its place. An older file that was announced and not written again is removed,
   /// so that a folder never mixes two runs.
   void commit();
+  /// commit() removes `file` when all else is in its place: it held what was done so far.
+  void supersede(const std::filesystem::path& file) { superseded_.push_back(file); }
   /// Of the hidden folder of this process.
   [[nodiscard]] static std::string hiddenName();
   /// Files that commit() put in place.
@@ -42,7 +44,7 @@ class Outputs {
   std::map<std::filesystem::path, std::filesystem::path>
       staging_;                              // folder -> where its files are written first
   std::vector<std::filesystem::path> made_;  // folders that were not there before, outermost first
-  std::vector<std::filesystem::path> announced_, written_;
+  std::vector<std::filesystem::path> announced_, written_, superseded_;
 };
 
 }  // namespace falciform::commandline

@@ -9,35 +9,24 @@ namespace falciform::commandline {
 
 namespace {
 
-std::string card(const std::string& figure, const std::string& meaning) {
-  return "<div class=\"card\"><b>" + escaped(figure) + "</b><span>" + escaped(meaning) + "</span></div>\n";
-}
-
 std::string cards(const CaseOutcome& outcome) {
   const RegistrationResult& fit = *outcome.registration;
-  std::string html =
-      "<div class=\"cards\">\n" + card(fixed(fit.rmsMm, 2) + " mm", "RMS residual: fit, not target error");
+  std::string html = "<div class=\"cards\">\n" +
+                     htmlCard(fixed(fit.rmsMm, 2) + " mm", "RMS residual: fit, not target error");
   if (outcome.targetError) {
-    html += card(fixed(outcome.targetError->meanMm, 2) + " mm",
-                 "mean target error over " + std::to_string(outcome.targetError->names.size()) +
-                     " targets with known truth");
-    html += card(fixed(outcome.targetError->optimalRigidMeanMm, 2) + " mm",
-                 "least mean target error of any rigid motion, about");
+    html += htmlCard(fixed(outcome.targetError->meanMm, 2) + " mm",
+                     "mean target error over " + std::to_string(outcome.targetError->names.size()) +
+                         " targets with known truth");
+    html += htmlCard(fixed(outcome.targetError->optimalRigidMeanMm, 2) + " mm",
+                     "least mean target error of any rigid motion, about");
   }
-  html += card(fixed(100 * fit.coverage, 0) + " %", "of the pre-op surface within reach of the scan");
-  html += card(fixed(outcome.distance->preopAll.p95Absolute, 1) + " mm",
-               "95 % of covered places lie nearer to the scan than this");
-  html +=
-      card(std::to_string(fit.basins.size()),
-           fit.basins.size() == 1 ? "pose found: all starts agree" : "different poses found by the starts");
+  html += htmlCard(fixed(100 * fit.coverage, 0) + " %", "of the pre-op surface within reach of the scan");
+  html += htmlCard(fixed(outcome.distance->preopAll.p95Absolute, 1) + " mm",
+                   "95 % of covered places lie nearer to the scan than this");
+  html += htmlCard(std::to_string(fit.basins.size()), fit.basins.size() == 1
+                                                          ? "pose found: all starts agree"
+                                                          : "different poses found by the starts");
   return html + "</div>\n";
-}
-
-std::string warningList(const Provenance& provenance) {
-  if (provenance.warnings.empty()) return htmlParagraph("No warnings.", "soft");
-  std::string html = "<ul class=\"warnings\">\n";
-  for (const std::string& warning : provenance.warnings) html += "<li>" + escaped(warning) + "</li>\n";
-  return html + "</ul>\n";
 }
 
 std::string pictureGrid(const std::vector<PictureFile>& pictures) {
@@ -62,7 +51,7 @@ std::string reportHtml(const CaseOutcome& outcome, const CaseSettings& settings,
       "remains.",
       "soft");
   body += htmlParagraph("Started " + provenance.startedUtc + ", Falciform " + kVersion + ".", "soft");
-  body += cards(outcome) + warningList(provenance);
+  body += cards(outcome) + htmlWarnings(provenance.warnings);
   body += htmlSection("Pictures", pictureGrid(pictures));
   body += surfaceSection(outcome) + patchSection(outcome) + registrationSection(outcome) +
           targetSection(outcome) + distanceSection(outcome) + settingsSection(settings) +

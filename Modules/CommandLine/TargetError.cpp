@@ -33,13 +33,17 @@ Points pointsOf(const std::vector<Landmark>& landmarks) {
 
 }  // namespace
 
-TargetError measureTargetError(const Landmarks& targets, const Landmarks& truth,
-                               const Isometry3d& scanFromPreop, const Isometry3d& scanFromPreopStart) {
+PairedTargets pairTargets(const Landmarks& targets, const Landmarks& truth) {
   if (targets.points.empty() || targets.points.size() != truth.points.size())
     throw InputError("there are " + std::to_string(targets.points.size()) + " targets and " +
                      std::to_string(truth.points.size()) +
                      " true positions; give as many of both, at least one");
-  const Points source = pointsOf(targets.points), target = pointsOf(paired(targets, truth));
+  return {pointsOf(targets.points), pointsOf(paired(targets, truth))};
+}
+
+TargetError measureTargetError(const Landmarks& targets, const Landmarks& truth,
+                               const Isometry3d& scanFromPreop, const Isometry3d& scanFromPreopStart) {
+  const auto [source, target] = pairTargets(targets, truth);
   TargetError error;
   for (const Landmark& point : targets.points) error.names.push_back(point.name);
   error.errorsMm = targetErrors(source, target, scanFromPreop);

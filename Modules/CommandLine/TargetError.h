@@ -18,8 +18,14 @@ struct TargetError {
                                   ///< deformation; NaN below 3 targets
 };
 
-/// Targets (pre-op mm) through `scanFromPreop` against `truth` (scan mm), paired by name where all names of
-/// both lists agree, else by order. Throws InputError if the lists are empty or of different length.
+/// Rows of both that belong together, paired by name where all names of both lists agree, else by order.
+/// Throws InputError if the lists are empty or of different length.
+struct PairedTargets {
+  Points preop, scan;  ///< N x 3, mm
+};
+[[nodiscard]] PairedTargets pairTargets(const Landmarks& targets, const Landmarks& truth);
+
+/// Targets (pre-op mm) through `scanFromPreop` against `truth` (scan mm), paired as pairTargets does.
 [[nodiscard]] TargetError measureTargetError(const Landmarks& targets, const Landmarks& truth,
                                              const Isometry3d& scanFromPreop,
                                              const Isometry3d& scanFromPreopStart);

@@ -11,6 +11,7 @@
 #include "Logic/Acquisition/VirtualScanner.h"
 #include "Logic/Deformation/DistanceMapping.h"
 #include "Logic/Registration/RegistrationSettings.h"
+#include "Logic/Registration/Trials/Trials.h"
 #include "Logic/Segmentation/SurfaceImport.h"
 #include "Testing/CommandLine/Program.h"
 
@@ -20,8 +21,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands{"import", "patches", "register",   "distance",
-                                         "run",    "demo",    "synthesise", "info"};
+const std::vector<std::string> kCommands{"import", "patches",    "register", "distance", "run",
+                                         "demo",   "synthesise", "trials",   "info"};
 
 /// "edgeLengthMm" in mm -> "edge-length".
 std::string expectedFlag(const FieldInfo& info) {
@@ -78,6 +79,7 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
   expectSettingsInHelp<SurfaceImportSettings>("import");
   expectSettingsInHelp<RegistrationSettings>("register");
   expectSettingsInHelp<DistanceSettings>("distance");
+  expectSettingsInHelp<TrialSettings>("trials");
   expectSettingsInHelp<SyntheticLiverSettings>("synthesise");
   expectSettingsInHelp<VirtualScannerSettings>("synthesise");
   for (const char* command : {"run", "demo"}) {

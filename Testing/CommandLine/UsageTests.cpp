@@ -20,7 +20,8 @@ TEST(Usage, VersionAndHelpSucceedOnStandardOutput) {
 
 TEST(Usage, OverviewNamesEveryCommand) {
   const Ran ran = falciform({"--help"});
-  for (const char* name : {"import", "patches", "register", "distance", "run", "demo", "synthesise", "info"})
+  for (const char* name :
+       {"import", "patches", "register", "distance", "run", "demo", "synthesise", "trials", "info"})
     EXPECT_THAT(ran.out, HasSubstr(std::string("\n  ") + name + " "));
 }
 
