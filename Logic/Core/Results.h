@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,9 +23,9 @@ struct IterationRecord {
 /// A pose that some starts led to: one local minimum of the robust residual.
 struct RegistrationBasin {
   Isometry3d scanFromPreop = Isometry3d::Identity();
-  double score =
-      0;  ///< robust residual in [0, 1], lower is better (StartPose, Logic/Registration/PatchStarts.h)
-  int starts = 0;  ///< how many starts ended here
+  double score = 0;  ///< robust residual in [0, 1] and what the bending costs, lower is better
+                     ///< (Logic/Registration/ElasticFit.h)
+  int starts = 0;    ///< how many starts ended here
 };
 
 /// Where the scan lies on the pre-operative surface. Residuals are *fit*, not target error.
@@ -33,6 +34,10 @@ struct RegistrationResult {
   double rmsMm = 0;                                   ///< unweighted RMS over all scan points, real distances
   double weightedRmsMm = 0;                           ///< with the patch weights of the last iteration
   double meanMm = 0, p95Mm = 0;
+  /// Expected target error, mm, at a place in the pre-op frame: by how much this rigid pose may be off there,
+  /// bending included. Empty where the method gives none.
+  std::function<double(const Vector3d& preopMm)> expectedTargetErrorMm;
+  double expectedErrorMeanMm = 0;  ///< root of its mean square over the pre-op surface; 0 where there is none
   std::map<int, double> patchRmsMm;  ///< per label: scan patch points to the same label of the pre-op surface
   double coverage = 0;       ///< share of the pre-op surface's area within reach of the scan, in [0, 1]
   double rotationDeg = 0;    ///< of the pose against the given start

@@ -13,7 +13,7 @@ namespace falciform {
 namespace {
 
 constexpr double kVoxelMm = 3, kMarginMm = 30;
-constexpr double kMostNodes = 4e6;
+constexpr double kMostNodes = 2e6;
 constexpr double kApart = 3.5;  // voxels: two diagonals; on a smooth side closest points lie nearer
 
 }  // namespace

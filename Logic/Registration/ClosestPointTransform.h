@@ -9,7 +9,7 @@ namespace falciform {
 class ClosestPointTransform {
  public:
   /// Nodes `voxelMm` apart over the target's box and `marginMm` around it; farther apart if there would be
-  /// more than four million. Both > 0.
+  /// more than two million. Both > 0.
   ClosestPointTransform(const LabelledTarget& target, double voxelMm, double marginMm);
 
   /// The trilinear mean of the closest points at the eight nodes around; where they lie far apart (the query

@@ -14,7 +14,8 @@ namespace falciform {
 
 namespace {
 
-constexpr Index kSample = 1500;
+constexpr Index kSample = 1000;
+constexpr double kFinestMm = 0.01;  // below, the sample moves the answer more than the search does
 constexpr std::array kScalesMm{8.0, 4.0, 2.0};
 constexpr double kReach = 4;  // scales; a point beyond counts as deformed and nothing else: exp(-8) < 4e-4
 constexpr std::size_t kChunk = 128;
@@ -102,7 +103,8 @@ PatchIcpResult registerDirr(const PreparedPreop& preop, const Surface& scan,
       noteIteration(result, record, from, progress, observer);
     };
     PowellLimits limits;
-    limits.tolerance = stage + 1 < kScalesMm.size() ? scale / 100 : settings.motionToleranceMm;
+    limits.tolerance =
+        stage + 1 < kScalesMm.size() ? scale / 50 : std::max(settings.motionToleranceMm, kFinestMm);
     limits.maxSweeps = settings.maxIterations - static_cast<int>(result.history.size());
     const PowellResult found = minimisePowell(misfit, VectorXd::Zero(6), scale / 2, limits, afterSweep);
     result.converged = found.converged;

@@ -44,16 +44,6 @@ struct PairSums {
   }
 };
 
-/// Corners of the points' box: the point that moves farthest under a rigid step moves no farther than one of
-/// them.
-Points boxCorners(const Points& points) {
-  const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
-  Points corners(8, 3);
-  for (int c = 0; c < 8; ++c)
-    for (int a = 0; a < 3; ++a) corners(c, a) = (c >> a & 1) ? high[a] : low[a];
-  return corners;
-}
-
 /// Rounding of many steps would let the linear part drift from a rotation: brings it back.
 Isometry3d orthonormalised(Isometry3d pose) {
   pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
@@ -75,6 +65,14 @@ std::string stageText(const IterationRecord& r) {
 }
 
 }  // namespace
+
+Points boxCorners(const Points& points) {
+  const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
+  Points corners(8, 3);
+  for (int c = 0; c < 8; ++c)
+    for (int a = 0; a < 3; ++a) corners(c, a) = (c >> a & 1) ? high[a] : low[a];
+  return corners;
+}
 
 LabelledSource subsetOf(const LabelledSource& source, const std::vector<int>& ids) {
   LabelledSource part{rowsOf(source.points, ids), {}};

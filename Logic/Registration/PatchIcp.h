@@ -18,6 +18,10 @@ struct LabelledSource {
 /// Rows `ids` of `source`.
 [[nodiscard]] LabelledSource subsetOf(const LabelledSource& source, const std::vector<int>& ids);
 
+/// Corners of the points' box: the point that moves farthest under a rigid step moves no farther than one of
+/// them.
+[[nodiscard]] Points boxCorners(const Points& points);
+
 struct PatchIcpResult {
   Isometry3d preopFromScan = Isometry3d::Identity();
   std::vector<IterationRecord> history;

@@ -102,7 +102,7 @@ PowellResult minimisePowell(const std::function<double(const VectorXd&)>& functi
     const double before = result.value;
     const double along =
         minimiseAlongLine([&](double t) { return ++result.evaluations, function(from + t * direction); },
-                          before, firstStep, limits.tolerance / 4, result.value);
+                          before, firstStep, limits.tolerance / 2, result.value);
     result.point = from + along * direction;
     return before - result.value;
   };

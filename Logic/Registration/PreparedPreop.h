@@ -1,7 +1,10 @@
 #pragma once
+#include <map>
 #include <memory>
 
 #include "Logic/Core/Surface.h"
+#include "Logic/Geometry/ClosestPointGrid.h"
+#include "Logic/Registration/ElasticModes.h"
 #include "Logic/Registration/LabelledTarget.h"
 
 namespace falciform {
@@ -21,10 +24,21 @@ class PreparedPreop {
   /// N values, mm^2; ones for a cloud.
   [[nodiscard]] const VectorXd& areas() const { return areas_; }
 
+  [[nodiscard]] const ElasticModes& modes() const { return modes_; }
+  /// Closest points of the whole surface, and of one label that the surface has, for searches.
+  [[nodiscard]] const ClosestPointGrid& grid() const { return grid_; }
+  [[nodiscard]] const ClosestPointGrid& grid(int label) const { return labelGrids_.at(label); }
+  /// Rows that stand for the surface, spread at random, where a share or a mean need not be exact.
+  [[nodiscard]] const std::vector<int>& sample() const { return sample_; }
+
  private:
   Surface surface_;
   Points normals_;
   VectorXd areas_;
+  ElasticModes modes_;
+  std::vector<int> sample_;
+  ClosestPointGrid grid_;
+  std::map<int, ClosestPointGrid> labelGrids_;
   std::shared_ptr<const LabelledTarget> target_;
 };
 

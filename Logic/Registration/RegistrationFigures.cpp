@@ -27,20 +27,22 @@ std::vector<double> residuals(const LabelledTarget& target, const Points& moved)
   return distances;
 }
 
-double coveredShare(const Surface& preop, const Points& moved) {
-  const KdTree tree(moved);
-  const VectorXd areas = vertexAreas(preop);
-  std::vector<char> near(static_cast<std::size_t>(preop.size()));
+double coveredShare(const PreparedPreop& preop, const KdTree& scanTree, const Isometry3d& scanFromPreop) {
+  const std::vector<int>& sample = preop.sample();
+  std::vector<char> near(sample.size());
   forEachChunk(near.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      near[i] = tree.nearest(preop.points.row(static_cast<Index>(i)).transpose(),
+      near[i] = scanTree
+                    .nearest(scanFromPreop * preop.surface().points.row(sample[i]).transpose(),
                              kCoverageReachMm * kCoverageReachMm)
                     .index >= 0;
   });
-  double covered = 0;
-  for (std::size_t i = 0; i < near.size(); ++i)
-    if (near[i]) covered += areas[static_cast<Index>(i)];
-  return covered / areas.sum();
+  double covered = 0, all = 0;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (near[i]) covered += preop.areas()[sample[i]];
+    all += preop.areas()[sample[i]];
+  }
+  return covered / all;
 }
 
 std::string mm(double value) {
@@ -51,9 +53,10 @@ std::string mm(double value) {
 
 }  // namespace
 
-void fillFigures(RegistrationResult& result, const Surface& preop, const Surface& scan,
-                 const LabelledTarget& target, const LabelledSource& source,
-                 const RegistrationSettings& settings, const Isometry3d& scanFromPreopStart) {
+void fillFigures(RegistrationResult& result, const PreparedPreop& preop, const Surface& scan,
+                 const KdTree& scanTree, const LabelledSource& source, const RegistrationSettings& settings,
+                 const Isometry3d& scanFromPreopStart) {
+  const LabelledTarget& target = preop.target();
   const Points moved = transformed(scan.points, result.scanFromPreop.inverse());
   std::vector<double> distances = residuals(target, moved);
   const double lastWeight = result.history.empty() ? 1 : result.history.back().patchWeight;
@@ -81,30 +84,34 @@ void fillFigures(RegistrationResult& result, const Surface& preop, const Surface
 
   // Feature errors of every label both sides have, whether the method used it or not, as the thesis's tables
   // show them.
-  const LabelledTarget allLabels(preop, patchLabels(preop));
   for (const int label : patchLabels(scan)) {
-    if (!allLabels.has(label)) continue;
+    if (!target.has(label)) continue;
     double patchSquared = 0;
     const std::vector<int> ids = pointsOfPatch(scan, label);
     for (const int i : ids)
-      patchSquared += allLabels.closestOfLabel(moved.row(i).transpose(), label).squaredDistance;
+      patchSquared += target.closestOfLabel(moved.row(i).transpose(), label).squaredDistance;
     result.patchRmsMm[label] = std::sqrt(patchSquared / static_cast<double>(ids.size()));
   }
-  result.coverage = coveredShare(preop, moved);
+  result.coverage = coveredShare(preop, scanTree, result.scanFromPreop);
   const Isometry3d change = result.scanFromPreop * scanFromPreopStart.inverse();
   result.rotationDeg = Eigen::AngleAxisd(change.linear()).angle() * 180 / EIGEN_PI;
   const Vector3d middle = scan.points.colwise().mean();
   result.translationMm = (change * middle - middle).norm();
   result.scanPoints = scan.size();
-  result.preopPoints = preop.size();
+  result.preopPoints = preop.surface().size();
+  if (!result.expectedTargetErrorMm) return;
+  double expected = 0;
+  for (const int i : preop.sample())
+    expected += std::pow(result.expectedTargetErrorMm(preop.surface().points.row(i).transpose()), 2);
+  result.expectedErrorMeanMm = std::sqrt(expected / static_cast<double>(preop.sample().size()));
 }
 
 std::vector<std::string> registrationWarnings(const RegistrationResult& result, const Surface& preop,
                                               const Surface& scan, const RegistrationSettings& settings) {
   std::vector<std::string> warnings;
-  if (settings.method != RegistrationMethod::Icp)
+  if (settings.method != RegistrationMethod::Icp && settings.method != RegistrationMethod::Auto)
     warnings = patchWarnings(preop, scan);
-  else
+  else if (settings.method == RegistrationMethod::Icp)
     warnings.push_back(
         "no patches were used: closest points alone find the pose only if the start is near it");
   if (!result.converged) warnings.push_back("the registration did not settle: " + result.stopReason);

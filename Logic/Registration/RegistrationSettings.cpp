@@ -9,6 +9,7 @@ namespace {
 RegistrationSettings thesis(double weightMax, double relaxation) {
   RegistrationSettings s;
   s.start = RegistrationStart::Given;
+  s.finish = RegistrationFinish::None;
   s.weightMax = weightMax;
   s.weightBase = 25;
   s.relaxation = relaxation;

@@ -14,9 +14,10 @@ enum class RegistrationMethod {
   Icp,   ///< no labels (Besl and McKay 1992)
   Wgf,   ///< labels, constant patch weight (Maurer 1998)
   Picp,  ///< labels, patch weight relaxed by Eq. (III.3)
+  Auto,  ///< no labels and no start: every rotation tried on the bare surface
 };
 inline std::span<const std::string_view> enumNames(RegistrationMethod) {
-  static constexpr std::array<std::string_view, 3> names{"icp", "wgf", "picp"};
+  static constexpr std::array<std::string_view, 4> names{"icp", "wgf", "picp", "auto"};
   return names;
 }
 
@@ -27,6 +28,16 @@ enum class RegistrationStart {
 };
 inline std::span<const std::string_view> enumNames(RegistrationStart) {
   static constexpr std::array<std::string_view, 2> names{"patches", "given"};
+  return names;
+}
+
+/// What has the last word.
+enum class RegistrationFinish {
+  Elastic,  ///< the most probable rigid motion of a liver that may also have bent (ElasticFit.h)
+  None,     ///< the closest-point loop itself
+};
+inline std::span<const std::string_view> enumNames(RegistrationFinish) {
+  static constexpr std::array<std::string_view, 2> names{"elastic", "none"};
   return names;
 }
 
@@ -42,6 +53,7 @@ inline std::span<const std::string_view> enumNames(StopRule) {
 struct RegistrationSettings {
   RegistrationMethod method = RegistrationMethod::Picp;
   RegistrationStart start = RegistrationStart::Patches;
+  RegistrationFinish finish = RegistrationFinish::Elastic;
   std::vector<int> patches;            ///< labels used; empty: all that both sides have
   double weightMax = 1000;             ///< w_PBR,max of Eq. (III.3)
   double weightBase = 1;               ///< w_PBR,base
@@ -58,11 +70,16 @@ struct RegistrationSettings {
 template <class Visitor>
 void describe(RegistrationSettings& s, Visitor&& field) {
   field(FieldInfo{"method", "Method", "", 0, 0,
-                  "icp: no patches; wgf: constant patch weight; picp: patch weight relaxed as the thesis."},
+                  "icp: no patches, closest points alone; wgf: constant patch weight; picp: patch weight "
+                  "relaxed as the thesis; auto: no patches and no start."},
         s.method);
   field(FieldInfo{"start", "Start", "", 0, 0,
                   "patches: no pose needed, every rotation of a grid is tried on them; given: one start."},
         s.start);
+  field(FieldInfo{"finish", "Finish", "", 0, 0,
+                  "elastic: the pose of the whole liver, which may have bent; none: the closest-point loop. "
+                  "icp has no finish."},
+        s.finish);
   field(FieldInfo{"patches", "Patches", "", 1, 255,
                   "Patch labels to use; none means all that both sides have."},
         s.patches);

@@ -12,12 +12,14 @@ namespace falciform {
 
 namespace {
 
-constexpr Index kPreopSample = 700, kMostScanSample = 500;
-constexpr double kCooling = 0.93;  // of the temperature per stage, as published
-constexpr int kIterationsPerStage = 3, kBalancings = 6;
-constexpr double kOutlier =
-    0.1;  // of what a point amid its matches gathers: beyond the scan's border, no match
-constexpr double kStiffest = 1, kSoftest = 1e-3;
+constexpr Index kPreopSample = 1500, kMostScanSample = 500;
+constexpr double kCooling = 0.9;  // of the temperature per stage; published: 0.93
+constexpr int kIterationsPerStage = 2, kBalancings = 3;
+// Share that goes to "no match", of what a point amid its counterparts gathers. Nearly every scan point has a
+// counterpart; most pre-op points have none, and bound to have one they would pull the scan apart.
+constexpr double kLooseScan = 0.15, kLoosePreop = 3;
+constexpr double kStiffest = 10, kSoftest = 1e-2;  // of ThinPlateFit
+constexpr double kReach = 4;                       // standard deviations; nothing matches from farther
 
 /// Mean distance to the nearest other point.
 double spacing(const Points& points) {
@@ -38,9 +40,19 @@ std::vector<int> sampleOfSpacing(const Points& points, double spacingMm) {
 
 using Weights = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Softassign: how much row point i and column point j are one, at temperature (mm)^2; rows and columns
-/// balanced in turn (Sinkhorn), each with a share `loose` for "no match" before.
-Weights softAssign(const Points& moved, const Points& fixed, double temperature, double loose) {
+/// Rows of `points` within `reachMm` of a row of `others`.
+Points nearTo(const Points& points, const Points& others, double reachMm) {
+  const KdTree tree(others);
+  std::vector<int> ids;
+  for (Index i = 0; i < points.rows(); ++i)
+    if (tree.nearest(points.row(i).transpose(), reachMm * reachMm).index >= 0)
+      ids.push_back(static_cast<int>(i));
+  return rowsOf(points, ids);
+}
+
+/// Softassign: how much scan point i and pre-op point j are one, at `temperature`, mm^2; columns and rows are
+/// balanced in turn (Sinkhorn). `gathered`: what a point amid its counterparts gathers.
+Weights softAssign(const Points& moved, const Points& fixed, double temperature, double gathered) {
   const Eigen::Array<double, 3, Eigen::Dynamic, Eigen::RowMajor> columnsOf = fixed.transpose().array();
   Weights m(moved.rows(), fixed.rows());
   forEachChunk(static_cast<std::size_t>(m.rows()), 16, [&](std::size_t begin, std::size_t end) {
@@ -50,8 +62,8 @@ Weights softAssign(const Points& moved, const Points& fixed, double temperature,
                   (-2 * temperature))
                      .exp();
   });
-  VectorXd looseRows = VectorXd::Constant(m.rows(), loose);
-  Eigen::RowVectorXd looseColumns = Eigen::RowVectorXd::Constant(m.cols(), loose);
+  VectorXd looseRows = VectorXd::Constant(m.rows(), kLooseScan * gathered);
+  Eigen::RowVectorXd looseColumns = Eigen::RowVectorXd::Constant(m.cols(), kLoosePreop * gathered);
   for (int k = 0; k < kBalancings; ++k) {
     const Eigen::RowVectorXd columns = (m.colwise().sum() + looseColumns).cwiseInverse();
     m.array().rowwise() *= columns.array();
@@ -78,7 +90,7 @@ NonRigidResult registerRobustPoints(const PreparedPreop& preop, const Surface& s
   Points closest;
   ClosestOnPreop(preop).closest(moved, closest);
   const double far = std::sqrt((moved - closest).rowwise().squaredNorm().mean());
-  const double hottest = std::pow(std::max(1.5 * far, 2 * gap), 2), coldest = std::pow(gap / 2, 2);
+  const double hottest = std::pow(std::max(1.5 * far, 0.7 * gap), 2), coldest = std::pow(gap / 4, 2);
   PatchIcpResult run;
   run.preopFromScan = start;
   run.stopReason = "the largest number of iterations was reached";
@@ -88,11 +100,12 @@ NonRigidResult registerRobustPoints(const PreparedPreop& preop, const Surface& s
   for (double heat = hottest; heat >= coldest && !tired(); heat *= kCooling) {
     const double cooled = std::log(heat / hottest) / std::log(coldest / hottest);  // 0 at first, 1 at last
     stiffness = kStiffest * std::pow(kSoftest / kStiffest, cooled);
-    const double loose = kOutlier * std::max(1.0, 2 * std::numbers::pi * heat / (gap * gap));
+    const double gathered = std::max(1.0, 2 * std::numbers::pi * heat / (gap * gap));
+    const Points near = nearTo(fixed, moved, kReach * std::sqrt(heat));
     for (int k = 0; k < kIterationsPerStage && !tired(); ++k) {
-      const Weights m = softAssign(moved, fixed, heat, loose);
+      const Weights m = softAssign(moved, near, heat, gathered);
       weights = m.rowwise().sum().cwiseMax(1e-9);
-      virtualPoints = weights.cwiseInverse().asDiagonal() * (m * fixed);
+      virtualPoints = weights.cwiseInverse().asDiagonal() * (m * near);
       const double squared = weights.dot((moved - virtualPoints).rowwise().squaredNorm()) / weights.sum();
       const ThinPlateSpline warp = fitter.fit(virtualPoints, weights, stiffness);
       const Points next = warp(sample);

@@ -4,20 +4,25 @@
 #include <chrono>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Core/Parallel.h"
+#include "Logic/Registration/ElasticFit.h"
 #include "Logic/Registration/PatchIcp.h"
-#include "Logic/Registration/PatchStarts.h"
+#include "Logic/Registration/PoseSearch.h"
 #include "Logic/Registration/RegistrationFigures.h"
 
 namespace falciform {
 
 namespace {
 
-constexpr Index kCoarsePoints = 2000, kCoarsePerPatch = 300;
+constexpr Index kSearchPoints = 300, kSearchPerPatch = 60;  // stand for the scan in a search
+constexpr Index kRankPoints = 400, kFinishPoints = 4000;    // and in the elastic fit
+constexpr Index kLoopPoints = 2000;                         // and in the loop, before the finish
+constexpr std::size_t kRanked = 6;  // so many basins are compared by what the elastic fit makes of them
 
 /// Labels that both sides have, or those asked for; throws InputError if one asked for is missing.
 std::vector<int> sharedLabels(const Surface& preop, const Surface& scan,
                               const RegistrationSettings& settings) {
-  if (settings.method == RegistrationMethod::Icp) return {};
+  if (settings.method == RegistrationMethod::Icp || settings.method == RegistrationMethod::Auto) return {};
   const std::vector<int> onPreop = patchLabels(preop), onScan = patchLabels(scan);
   const auto has = [](const std::vector<int>& labels, int label) {
     return std::binary_search(labels.begin(), labels.end(), label);
@@ -35,7 +40,7 @@ std::vector<int> sharedLabels(const Surface& preop, const Surface& scan,
   return shared;
 }
 
-void checkInput(const Surface& scan, const RegistrationSettings& settings) {
+void checkInput(const PreparedPreop& preop, const Surface& scan, const RegistrationSettings& settings) {
   checkSettings(settings);
   checkSurface(scan, "scan");
   if (scan.size() < 3)
@@ -43,6 +48,8 @@ void checkInput(const Surface& scan, const RegistrationSettings& settings) {
   if (settings.weightBase > settings.weightMax)
     throw InputError(
         "weightBase is larger than weightMax; the patch weight falls from weightMax to weightBase");
+  if (settings.method == RegistrationMethod::Auto && preop.surface().triangles.rows() == 0)
+    throw InputError("the pre-op surface has no triangles, which the method auto needs; give a mesh");
 }
 
 /// The scan's points; a label that is not in use counts as none.
@@ -54,47 +61,101 @@ LabelledSource sourceOf(const Surface& scan, const std::vector<int>& labels) {
   return source;
 }
 
-/// While the patches' pull relaxes, a spread sample does as well as the whole scan; the whole scan then has
-/// the last word. The thesis's stop rule runs on the whole scan alone, as the thesis did.
-PatchIcpResult refine(const LabelledTarget& target, const LabelledSource& source,
-                      const RegistrationSettings& settings, const Isometry3d& start, const Progress& progress,
-                      const IterationObserver& observer) {
-  if (settings.stop == StopRule::Rms || source.points.rows() <= 2 * kCoarsePoints)
-    return runPatchIcp(target, source, settings, start, 1, progress, observer);
-  RegistrationSettings coarse = settings;
-  coarse.motionToleranceMm = std::max(settings.motionToleranceMm, 0.02);
-  const LabelledSource sample = subsetOf(source, balancedSample(source, kCoarsePerPatch, kCoarsePoints));
-  PatchIcpResult first = runPatchIcp(target, sample, coarse, start, 1, progress.part(0, 0.5), observer);
-  RegistrationSettings fine = settings;
-  const int done = static_cast<int>(first.history.size());
-  fine.maxIterations = std::max(1, settings.maxIterations - done);
-  PatchIcpResult second =
-      runPatchIcp(target, source, fine, first.preopFromScan, done + 1, progress.part(0.5, 1), observer);
-  second.history.insert(second.history.begin(), first.history.begin(), first.history.end());
-  return second;
+/// One registration in the making.
+struct Task {
+  const PreparedPreop& preop;
+  const Surface& scan;
+  LabelledSource source;
+  KdTree scanTree;
+  RegistrationSettings settings;
+  const Progress& progress;
+  const IterationObserver& observer;
+  bool elastic = false;
+
+  [[nodiscard]] bool painted() const {
+    return std::any_of(source.labels.begin(), source.labels.end(), [](int label) { return label > 0; });
+  }
+  [[nodiscard]] LabelledSource part(Index count) const {
+    return subsetOf(source, randomRows(source.points.rows(), count));
+  }
+};
+
+/// Every basin that the search finds; with the elastic finish the best are compared by it.
+std::vector<StartPose> search(const Task& task, const Progress& progress) {
+  const ScanSample sample = sampleScan(task.source, task.scanTree, kSearchPoints, kSearchPerPatch);
+  std::vector<StartPose> starts = task.painted()
+                                      ? startsFromPatches(task.preop, sample, progress.part(0, 0.7))
+                                      : startsFromSurface(task.preop, sample, progress.part(0, 0.7));
+  if (!task.elastic) return starts;
+  starts.resize(std::min(starts.size(), kRanked));
+  const LabelledSource few = task.part(kRankPoints);
+  ElasticFitSettings quick;
+  quick.maxIterations = 8;
+  quick.motionToleranceMm = 0.1;
+  quick.patchWeight = task.settings.weightBase;
+  forEachChunk(starts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end && !progress.stopRequested(); ++i) {
+      const ElasticFitResult fit = fitElastic(task.preop, few, quick, starts[i].preopFromScan);
+      starts[i].preopFromScan = fit.pose.preopFromScan;
+      starts[i].score = fit.score;
+    }
+  });
+  progress.report(1);
+  keepDistinct(starts, boxCorners(few.points), kRanked);
+  return starts;
+}
+
+/// The loop of chapter III from one start: on the whole scan, or on a sample where the finish follows.
+PatchIcpResult loop(const Task& task, const Isometry3d& start, const Progress& progress) {
+  if (!task.elastic)
+    return runPatchIcp(task.preop.target(), task.source, task.settings, start, 1, progress, task.observer);
+  RegistrationSettings coarse = task.settings;
+  coarse.motionToleranceMm = std::max(coarse.motionToleranceMm, 0.05);
+  return runPatchIcp(task.preop.target(), task.part(kLoopPoints), coarse, start, 1, progress, task.observer);
+}
+
+void finish(const Task& task, const PatchIcpResult& from, const Progress& progress,
+            RegistrationResult& result, PatchIcpResult& run) {
+  ElasticFitSettings settings;
+  settings.patchWeight = task.settings.weightBase;
+  settings.firstIteration = static_cast<int>(from.history.size()) + 1;
+  ElasticFitResult fit =
+      fitElastic(task.preop, task.part(kFinishPoints), settings, from.preopFromScan, progress, task.observer);
+  run = fit.pose;
+  run.history.insert(run.history.begin(), from.history.begin(), from.history.end());
+  result.expectedTargetErrorMm = expectedTargetError(task.preop.modes(), fit);
 }
 
 }  // namespace
 
-RegistrationResult registerSurfaces(const PreparedPreop& prepared, const Surface& scan,
+RegistrationResult registerSurfaces(const PreparedPreop& preop, const Surface& scan,
                                     const RegistrationSettings& settings,
                                     const Isometry3d& scanFromPreopStart, const Progress& progress,
                                     const IterationObserver& observer) {
   const auto began = std::chrono::steady_clock::now();
-  checkInput(scan, settings);
-  const Surface& preop = prepared.surface();
-  const LabelledTarget& target = prepared.target();
-  const LabelledSource source = sourceOf(scan, sharedLabels(preop, scan, settings));
-  const bool painted =
-      std::any_of(source.labels.begin(), source.labels.end(), [](int label) { return label > 0; });
-  const bool fromPatches = settings.start == RegistrationStart::Patches && painted;
+  checkInput(preop, scan, settings);
+  Task task{preop,
+            scan,
+            sourceOf(scan, sharedLabels(preop.surface(), scan, settings)),
+            KdTree(scan.points),
+            settings,
+            progress,
+            observer};
+  const bool mesh = preop.surface().triangles.rows() > 0;
+  task.elastic =
+      settings.finish == RegistrationFinish::Elastic && mesh && settings.method != RegistrationMethod::Icp;
+  const bool global = mesh && (settings.method == RegistrationMethod::Auto ||
+                               (settings.start == RegistrationStart::Patches && task.painted()));
 
   std::vector<StartPose> starts{{scanFromPreopStart.inverse(), 0, 1}};
-  if (fromPatches) starts = startsFromPatches(target, source, settings, progress.part(0, 0.5));
-  const PatchIcpResult run = refine(target, source, settings, starts.front().preopFromScan,
-                                    progress.part(fromPatches ? 0.5 : 0, 0.95), observer);
+  PatchIcpResult run;
+  if (global) starts = search(task, progress.part(0, 0.5));
+  run.preopFromScan = starts.front().preopFromScan;
+  if (!global || !task.elastic)
+    run = loop(task, run.preopFromScan, progress.part(global ? 0.5 : 0, task.elastic ? 0.6 : 0.95));
 
   RegistrationResult result;
+  if (task.elastic) finish(task, PatchIcpResult(run), progress.part(0.6, 0.95), result, run);
   result.scanFromPreop = run.preopFromScan.inverse();
   result.history = run.history;
   result.iterations = static_cast<int>(run.history.size());
@@ -102,11 +163,9 @@ RegistrationResult registerSurfaces(const PreparedPreop& prepared, const Surface
   result.stopReason = run.stopReason;
   for (const StartPose& start : starts)
     result.basins.push_back({start.preopFromScan.inverse(), start.score, start.starts});
-  const LabelledSource sample = subsetOf(source, balancedSample(source, kCoarsePerPatch, kCoarsePoints));
   result.basins.front().scanFromPreop = result.scanFromPreop;
-  result.basins.front().score = robustScore(target, sample, settings.correspondenceWeight, run.preopFromScan);
-  fillFigures(result, preop, scan, target, source, settings, scanFromPreopStart);
-  result.warnings = registrationWarnings(result, preop, scan, settings);
+  fillFigures(result, preop, scan, task.scanTree, task.source, settings, scanFromPreopStart);
+  result.warnings = registrationWarnings(result, preop.surface(), scan, settings);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   progress.report(1, "registered");
   return result;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "Logic/Geometry/Measures.h"
-#include "Logic/Registration/PatchStarts.h"
+#include "Logic/Registration/PoseSearch.h"
 #include "Testing/Logic/Registration/PartialScan.h"
 
 namespace falciform {

@@ -1,0 +1,47 @@
+#pragma once
+#include <functional>
+
+#include "Logic/Core/Progress.h"
+#include "Logic/Registration/ElasticModes.h"
+#include "Logic/Registration/PatchIcp.h"
+#include "Logic/Registration/PreparedPreop.h"
+
+namespace falciform {
+
+/// What is assumed of tissue and scan. Lengths mm.
+struct ElasticFitSettings {
+  double strain = 0.016;  ///< standard deviation of each mode's root mean strain
+  double residualMm = 2;  ///< what the modes leave unexplained: noise, and bending too local for them
+  double independentSamples = 400;  ///< residuals of neighbouring points are not independent: so many are
+  double robustScaleMm = 8;         ///< Welsch scale, never below 3 median residuals
+  double patchWeight = 1;           ///< of a labelled point's pull to its own label, against the surface's
+  int maxIterations = 40;
+  double motionToleranceMm = 0.01;
+  int firstIteration = 1;  ///< for the records
+};
+
+struct ElasticFitResult {
+  PatchIcpResult pose;  ///< the rigid part: where the organ as a whole is
+  ElasticModes::Coefficients bending =
+      ElasticModes::Coefficients::Zero();  ///< scan place in preop frame = x + u(x)
+  ElasticModes::Energy covariance =
+      ElasticModes::Energy::Zero();  ///< of the coefficients, column-wise stacked
+  double score = 0;  ///< robust residual in [0, 1] plus what the bending costs; lower is better
+  double strain = 0, residualMm = 0;
+};
+
+/// The most probable rigid motion together with a smooth bending (maximum a posteriori; Gauss-Newton on
+/// point-to-plane residuals, with Welsch weights; labelled points are drawn to their own label). Only the
+/// rigid part is the registration: it is that of the whole organ, not of what happens to be seen. Needs
+/// preop.normals(). Deterministic for any number of threads.
+[[nodiscard]] ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& scan,
+                                          const ElasticFitSettings& settings, const Isometry3d& preopFromScan,
+                                          const Progress& progress = {},
+                                          const IterationObserver& observer = {});
+
+/// By how much the rigid pose may be off at a place of the pre-op frame, mm: the bending found there and its
+/// standard deviation, root of the sum of squares. Holds what it needs.
+[[nodiscard]] std::function<double(const Vector3d& preopMm)> expectedTargetError(const ElasticModes& modes,
+                                                                                 const ElasticFitResult& fit);
+
+}  // namespace falciform

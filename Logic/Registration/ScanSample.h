@@ -1,0 +1,27 @@
+#pragma once
+#include "Logic/Geometry/KdTree.h"
+#include "Logic/Registration/PatchIcp.h"
+
+namespace falciform {
+
+/// A few hundred points that stand for the scan in a search, without its stragglers, with normals.
+struct ScanSample {
+  Points points;            ///< N x 3, mm, the scan's frame
+  Points normals;           ///< N x 3 unit, all to one side
+  std::vector<int> labels;  ///< N
+  /// Whether `normals` are known to point out of the organ: a scan bulges to its outside, unless it is too
+  /// flat or too hollow to tell.
+  bool outward = true;
+
+  [[nodiscard]] Index size() const { return points.rows(); }
+};
+
+/// `count` rows out of `rows` that are spread at random, the same at every call; all if there are fewer.
+[[nodiscard]] std::vector<int> randomRows(Index rows, Index count);
+
+/// About `others` points of no label and at most `perLabel` of each label. A point whose neighbours are twice
+/// as far as usual is left out (smoke, threads, the edge of a retractor). `tree` is over scan.points.
+[[nodiscard]] ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index others,
+                                    Index perLabel);
+
+}  // namespace falciform
