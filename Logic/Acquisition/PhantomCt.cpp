@@ -16,7 +16,7 @@ namespace {
 // slice profile of a helical CT: in three parts, whose weights are the triangle's integrals.
 constexpr double kPart[] = {-2.0 / 3, 0, 2.0 / 3}, kWeight[] = {2.0 / 9, 5.0 / 9, 2.0 / 9};
 constexpr double kPartEdge = 2.0 / 3;
-constexpr double kReach = 2.5;  // voxels: beyond, a distance of any slope up to 1.4 is free of the border
+constexpr double kReach = 2;  // voxels: beyond, a distance of any slope up to 1.15 is free of the border
 
 /// Share of a cube of edge `h` below the zero of a distance `d` at its middle, for planes of a mean tilt:
 /// over all directions the cube is 1.5 h thick across the plane.

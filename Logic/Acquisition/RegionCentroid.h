@@ -12,9 +12,10 @@ struct GrownRegion {
 
 /// The body around `seed` (LPS mm): voxels of at least `threshold` joined through faces, grown from the voxel
 /// at the seed; and its centre, each voxel within two layers weighted by its value above the surroundings'
-/// (median of the third layer). As a voxel's value is its share of the body, the centre has no bias from the
-/// grid (partial volume); nothing else may lie within three voxels. Throws InputError if the seed lies
-/// outside the volume or below the threshold, or the region outgrows `largestMm3`.
+/// (median of the third layer). As a voxel's value is its share of the body (partial volume), the centre
+/// is not drawn to the grid; exact where voxels weigh what they see linearly. Nothing else may lie within
+/// three voxels. Throws InputError if the seed lies outside the volume or below the threshold, or the region
+/// outgrows `largestMm3`.
 [[nodiscard]] GrownRegion growRegion(const Image& image, const Vector3d& seed, double threshold,
                                      double largestMm3);
 

@@ -27,6 +27,14 @@ PhantomPlan coarsePhantom() {
   return plan;
 }
 
+/// For claims that do not need the shape.
+PhantomPlan roughPhantom() {
+  PhantomPlan plan = coarsePhantom();
+  plan.liver.edgeLengthMm = 6;
+  plan.liver.voxelMm = 4;
+  return plan;
+}
+
 double largestDistance(const Landmarks& a, const Landmarks& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.points.size(); ++i)
@@ -144,7 +152,7 @@ TEST(Phantom, ScanLiesOnTheLiverByTheTruth) {
 }
 
 TEST(Phantom, SpheresAreLocatedInCtAndScan) {
-  for (const int seed : {1, 2, 3}) {
+  for (const int seed : {1, 2}) {
     PhantomPlan plan = coarsePhantom();
     plan.phantom.seed = plan.scanner.seed = seed;
     const PhantomCase made = makePhantomCase(plan);
@@ -176,7 +184,7 @@ TEST(Phantom, NoiseFollowsTheScannersSpecification) {
 }
 
 TEST(Phantom, IsTheSameWithAnyNumberOfThreadsAndDiffersBySeed) {
-  PhantomPlan plan = coarsePhantom();
+  PhantomPlan plan = roughPhantom();
   setThreads(1);
   const PhantomCase one = makePhantomCase(plan);
   setThreads(3);
@@ -193,7 +201,7 @@ TEST(Phantom, IsTheSameWithAnyNumberOfThreadsAndDiffersBySeed) {
 }
 
 TEST(Phantom, SaysWhichSphereIsNotInView) {
-  PhantomPlan plan = coarsePhantom();
+  PhantomPlan plan = roughPhantom();
   plan.scanner.windowShare = 0.4;
   try {
     (void)makePhantomCase(plan);

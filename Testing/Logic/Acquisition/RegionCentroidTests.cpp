@@ -51,13 +51,22 @@ Image ball(const Matrix4d& worldFromIndex, const Vector3d& centre, double radius
                 [&](const Vector3d& index) { return ballShare(worldFromIndex, index, centre, radius); });
 }
 
+/// Share of [low, high] that a voxel at `at` sees, one voxel's edge to either side with a linearly falling
+/// weight.
+double seen(double low, double high, double at) {
+  const auto below = [&](double end) {  // integral of the weight up to `end`
+    const double x = std::clamp(end - at, -1.0, 1.0);
+    return x < 0 ? 0.5 * (1 + x) * (1 + x) : 1 - 0.5 * (1 - x) * (1 - x);
+  };
+  return below(high) - below(low);
+}
+
 TEST(GrowRegion, CentreOfABoxBetweenVoxelsIsExact) {
-  // Along each axis a voxel's share of [low, high] is known in closed form; so is the box's middle.
+  // Linear weights reproduce linear moments on a grid, so that the sum over voxels is the box's own centre.
   const Vector3d low(9.3, 11.71, 8.05), high(22.9, 19.4, 30.6);
   const Image image = volume(cubic(0.8), [&](const Vector3d& at) {
     double share = 1;
-    for (int a = 0; a < 3; ++a)
-      share *= std::clamp(std::min(high[a], at[a] + 0.5) - std::max(low[a], at[a] - 0.5), 0.0, 1.0);
+    for (int a = 0; a < 3; ++a) share *= seen(low[a], high[a], at[a]);
     return share;
   });
   const Vector3d middle = image.world(0.5 * (low + high));
