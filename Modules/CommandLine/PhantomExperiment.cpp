@@ -31,6 +31,7 @@ nlohmann::json errors(const VectorXd& mm) { return {{"mean_mm", mm.mean()}, {"la
 
 PhantomExperiment makePhantomExperiment(const PhantomPlan& plan, const Progress& progress) {
   PhantomExperiment done;
+  done.plan = plan;
   done.made = makePhantomCase(plan, progress.part(0, 0.95));
   progress.report(0.95, "Registering the spheres");
   const PhantomCase& made = done.made;

@@ -12,6 +12,7 @@ namespace falciform::commandline {
 /// The phantom experiment of thesis ch. III up to its trials: the phantom, its gold standard and the surface
 /// that trials register to.
 struct PhantomExperiment {
+  PhantomPlan plan;
   PhantomCase made;
   /// CT surface with patches, LPS mm: the points within 3 mm of the scan's patches, brought there by the gold
   /// standard, as the thesis did to simulate an imprecise segmentation of the image. Of two labels in reach
@@ -34,6 +35,12 @@ struct PhantomExperiment {
 /// Writes them, announced before.
 void writePhantom(const PhantomExperiment& experiment, const std::filesystem::path& folder,
                   const Outputs& outputs);
+
+/// Whole scan, sub-region and CT surface with their patches, from the scanner's side. Only in executables
+/// declared with falciform_offscreen_executable().
+[[nodiscard]] std::vector<std::filesystem::path> phantomPictures(const std::filesystem::path& folder);
+void writePhantomPictures(const PhantomExperiment& experiment, const std::filesystem::path& folder,
+                          const Outputs& outputs);
 
 /// Counts, FRE, localisation and target errors for the sidecar; units in the keys.
 [[nodiscard]] nlohmann::json phantomFigures(const PhantomExperiment& experiment);

@@ -76,6 +76,7 @@ void makeLiver(const ParsedArguments& arguments, CommandRun& run) {
 void makePhantom(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path folder = arguments.path("out"), sidecar = folder / "synthesise.json";
   for (const auto& file : phantomFiles(folder)) run.outputs.announce(file);
+  for (const auto& file : phantomPictures(folder)) run.outputs.announce(file);
   run.outputs.announce(sidecar);
   PhantomPlan plan = thesisPhantom();
   plan.liver = arguments.settings(plan.liver);
@@ -92,6 +93,8 @@ void makePhantom(const ParsedArguments& arguments, CommandRun& run) {
   run.figures = phantomFigures(made);
   run.progress.report(0.8, "Writing");
   writePhantom(made, folder, run.outputs);
+  run.progress.report(0.9, "Drawing");
+  writePhantomPictures(made, folder, run.outputs);
   run.writeSidecar(sidecar);
   for (const auto& [name, surface] : {std::pair("CT surface", &made.preop),
                                       {"whole scan", &made.made.scan},

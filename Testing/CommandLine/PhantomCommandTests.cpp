@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "Logic/IO/CaseFolder.h"
 #include "Logic/IO/MarkupFiles.h"
@@ -10,6 +11,7 @@
 #include "Logic/IO/VolumeFiles.h"
 #include "Testing/CommandLine/FolderContents.h"
 #include "Testing/Support/TemporaryFolder.h"
+#include "Widgets/Rendering/RenderedImage.h"
 
 namespace falciform::test {
 namespace {
@@ -50,6 +52,14 @@ TEST(PhantomCommand, WritesACaseWhoseFilesAgreeWithItsTruth) {
   EXPECT_EQ(patchName(readSurface(out / "scan_whole_view.vtp").value, patch::kFirstNamed), "sphere 1");
   EXPECT_EQ(readImage(out / "ct.nii.gz").value.size, readLabelMap(out / "labelmap.nii.gz").value.size);
   EXPECT_EQ(readCaseDescription(out).preop, "preop.vtp");
+
+  for (const char* name : {"scan.png", "scan_subregion.png", "preop.png"}) {
+    const RenderedImage picture = readPng(out / "pictures" / name);
+    std::set<std::array<int, 3>> colours;
+    for (int y = 0; y < picture.height; y += 3)
+      for (int x = 0; x < picture.width; x += 3) colours.insert(picture.at(x, y));
+    EXPECT_GT(colours.size(), 100u) << name;  // an empty one holds background and text
+  }
 
   const auto sidecar = nlohmann::json::parse(readTextFile(out / "synthesise.json"));
   EXPECT_EQ(sidecar["figures"]["scan"]["points"], scan.size());
