@@ -20,20 +20,20 @@ ClosestPointGrid::ClosestPointGrid(const Points& points, const std::vector<int>&
     low = low.cwiseMin(points.row(i).transpose());
     high = high.cwiseMax(points.row(i).transpose());
   }
-  low_ = low - Vector3d::Constant(marginMm);
+  low_ = (low - Vector3d::Constant(marginMm)).cast<float>();
   const Vector3d extent = high - low + Vector3d::Constant(2 * marginMm + 1e-6);
   const double cell = std::max(cellMm, std::cbrt(extent.prod() / kMostCells));
-  perMm_ = 1 / cell;
+  perMm_ = static_cast<float>(1 / cell);
   counts_ = (extent / cell).array().ceil().max(1).cast<int>();
   nearest_.assign(static_cast<std::size_t>(counts_.prod()), -1);
 
   std::vector<float> offsets(nearest_.size(), std::numeric_limits<float>::infinity());
   for (const int i : ids) {
-    const Vector3d place = (points.row(i).transpose() - low_) * perMm_;
-    const Vector3i at(cellOf(place.x(), 0), cellOf(place.y(), 1), cellOf(place.z(), 2));
+    const Eigen::Vector3f place = (points.row(i).transpose().cast<float>() - low_) * perMm_;
+    const Vector3i at(cellOf(place.x(), counts_[0]), cellOf(place.y(), counts_[1]),
+                      cellOf(place.z(), counts_[2]));
     const auto index = static_cast<std::size_t>(at.x() + counts_[0] * (at.y() + counts_[1] * at.z()));
-    const auto offset =
-        static_cast<float>((place - at.cast<double>() - Vector3d::Constant(0.5)).squaredNorm());
+    const float offset = (place - at.cast<float>() - Eigen::Vector3f::Constant(0.5F)).squaredNorm();
     if (offset < offsets[index]) offsets[index] = offset, nearest_[index] = i;
   }
   propagate(points);
@@ -49,7 +49,7 @@ void ClosestPointGrid::propagate(const Points& points) {
   std::vector<double> squared(nearest_.size(), std::numeric_limits<double>::infinity());
   const double cell = cellMm();
   const auto centreOf = [&](const Vector3i& at) -> Vector3d {
-    return low_ + cell * (at.cast<double>() + Vector3d::Constant(0.5));
+    return low_.cast<double>() + cell * (at.cast<double>() + Vector3d::Constant(0.5));
   };
   const auto indexOf = [&](const Vector3i& at) {
     return static_cast<std::size_t>(at.x() + counts_[0] * (at.y() + counts_[1] * at.z()));

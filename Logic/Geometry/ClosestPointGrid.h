@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "Logic/Core/Types.h"
@@ -17,21 +18,22 @@ class ClosestPointGrid {
   ClosestPointGrid(const Points& points, const std::vector<int>& ids, double cellMm, double marginMm);
 
   /// Row of `points`; a query outside the map asks the map's nearest cell.
-  [[nodiscard]] int closest(const Vector3d& query) const {
-    const Vector3d place = (query - low_) * perMm_;
-    return nearest_[static_cast<std::size_t>(
-        cellOf(place.x(), 0) + counts_[0] * (cellOf(place.y(), 1) + counts_[1] * cellOf(place.z(), 2)))];
+  [[nodiscard]] int closest(const Eigen::Vector3f& query) const {
+    const Eigen::Vector3f place = (query - low_) * perMm_;
+    const int x = cellOf(place.x(), counts_.x()), y = cellOf(place.y(), counts_.y()),
+              z = cellOf(place.z(), counts_.z());
+    return nearest_[static_cast<std::size_t>(x + counts_.x() * (y + counts_.y() * z))];
   }
   [[nodiscard]] double cellMm() const { return 1 / perMm_; }
 
  private:
-  [[nodiscard]] int cellOf(double place, int axis) const {
-    return place <= 0 ? 0 : place >= counts_[axis] ? counts_[axis] - 1 : static_cast<int>(place);
+  static int cellOf(float place, int count) {
+    return static_cast<int>(std::clamp(place, 0.0F, static_cast<float>(count - 1)));
   }
   void propagate(const Points& points);
 
-  Vector3d low_ = Vector3d::Zero();
-  double perMm_ = 1;
+  Eigen::Vector3f low_ = Eigen::Vector3f::Zero();
+  float perMm_ = 1;
   Vector3i counts_ = Vector3i::Zero();
   std::vector<int> nearest_;
 };

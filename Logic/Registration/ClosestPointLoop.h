@@ -3,6 +3,7 @@
 
 #include "Logic/Geometry/TriangleTree.h"
 #include "Logic/Registration/PatchIcp.h"
+#include "Logic/Registration/PreparedPreop.h"
 
 namespace falciform {
 

@@ -3,125 +3,163 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace falciform {
 
 namespace {
 
-constexpr double kRobustMm = 10, kScoreScaleMm = 5;
-constexpr double kPointShare = 0.1;       // point-to-point beside point-to-plane, so that far points pull too
-constexpr double kLeastAgreement = 0.05;  // weight of a point that faces the wrong way
+constexpr double kGridCellMm = 4, kMarginMm = 40, kLabelMarginMm = 60;
+constexpr float kRobustMm = 10, kScoreScaleMm = 5;
+constexpr float kPointShare = 0.1F;       // point-to-point beside point-to-plane, so that far points pull too
+constexpr float kLeastAgreement = 0.05F;  // weight of a point that faces the wrong way
 constexpr double kLargestTurn = 0.35;     // radians a step
 constexpr double kStillMm = 0.1;
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Eigen::Vector3f;
 
-struct Pair {
-  Vector3d moved, toTarget;  ///< mm
-  Vector3d normal;           ///< of the target
-  double squared = 0, agreement = 0;
-  int label = 0, own = -1;
+struct Pose {
+  Eigen::Matrix3f rotation;
+  Vector3f translation;
+  explicit Pose(const Isometry3d& pose)
+      : rotation(pose.linear().cast<float>()), translation(pose.translation().cast<float>()) {}
+  [[nodiscard]] Vector3f operator*(const Vector3f& p) const { return rotation * p + translation; }
 };
 
-/// Normal equations of a small turn about `centre` and shift, in the order turn, shift.
+/// A sample point where the pose puts it, and what it is drawn to; one that is not labelled has no `toOwn`.
+struct Pair {
+  Vector3f moved, toTarget, normal, toOwn;
+  float squared = 0, agreement = 0, ownSquared = -1;
+};
+
+Vector3f rowOf(const Points& points, std::size_t i) {
+  return points.row(static_cast<Index>(i)).transpose().cast<float>();
+}
+
+Pair pairOf(const CoarseTarget& target, const ScanSample& sample, std::size_t i, const Pose& pose) {
+  Pair p;
+  p.moved = pose * rowOf(sample.points, i);
+  const CoarseTarget::Place& near = target.closest(p.moved);
+  p.toTarget = near.point - p.moved;
+  p.normal = near.normal;
+  p.squared = p.toTarget.squaredNorm();
+  p.agreement = near.normal.dot(pose.rotation * rowOf(sample.normals, i));
+  if (sample.labels[i] > 0) {
+    p.toOwn = target.closestOf(sample.labels[i], p.moved).point - p.moved;
+    p.ownSquared = p.toOwn.squaredNorm();
+  }
+  return p;
+}
+
+/// Normal equations of a small turn about `centre` and a shift.
 class Equations {
  public:
-  explicit Equations(const Vector3d& centre) : centre_(centre) {}
+  explicit Equations(Vector3f centre) : centre_(std::move(centre)) {}
 
-  void addPlane(const Pair& p, double weight) {
-    Vector6d j;
-    j << (p.moved - centre_).cross(p.normal), p.normal;
-    matrix_.selfadjointView<Eigen::Lower>().rankUpdate(j, weight);
-    right_ += weight * p.normal.dot(p.toTarget) * j;
+  void addPlane(const Pair& p, float weight) {
+    Row j;  // padded to whole vectors
+    j << (p.moved - centre_).cross(p.normal), p.normal, p.normal.dot(p.toTarget), 0;
+    planes_ += (weight * j) * j.transpose();
   }
-  void addPoint(const Vector3d& moved, const Vector3d& toTarget, double weight) {
-    const Vector3d arm = moved - centre_;
-    matrix_.topLeftCorner<3, 3>() +=
-        weight * (arm.squaredNorm() * Matrix3d::Identity() - arm * arm.transpose());
-    Matrix3d cross;  // -[arm]x, rows: shift, columns: turn
-    cross << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
-    matrix_.bottomLeftCorner<3, 3>() += weight * cross;
-    matrix_.diagonal().tail<3>().array() += weight;
-    right_.head<3>() += weight * arm.cross(toTarget);
-    right_.tail<3>() += weight * toTarget;
+  void addPoint(const Vector3f& moved, const Vector3f& toTarget, float weight) {
+    const Vector3f arm = moved - centre_, weighted = weight * arm;
+    total_ += weight;
+    arms_ += weighted;
+    products_ += weighted * arm.transpose();
+    pulls_ += weight * toTarget;
+    twists_ += weighted.cross(toTarget);
   }
-  [[nodiscard]] Isometry3d solve() {
-    matrix_.diagonal().head<3>().array() += 1e-9 * matrix_.diagonal().head<3>().sum() + 1e-9;
-    matrix_.diagonal().tail<3>().array() += 1e-9 * matrix_.diagonal().tail<3>().sum() + 1e-9;
-    const Vector6d x = matrix_.selfadjointView<Eigen::Lower>().ldlt().solve(right_);
+  /// The motion, turned by at most kLargestTurn.
+  [[nodiscard]] Isometry3d solve() const {
+    Eigen::Matrix<double, 6, 6> matrix = planes_.topLeftCorner<6, 6>().cast<double>();
+    Eigen::Matrix<double, 6, 1> right = planes_.block<6, 1>(0, 6).cast<double>();
+    const Matrix3d products = products_.cast<double>();
+    const Vector3d arms = arms_.cast<double>(), centre = centre_.cast<double>();
+    matrix.topLeftCorner<3, 3>() += products.trace() * Matrix3d::Identity() - products;
+    Matrix3d cross;  // -[arms]x, rows: shift, columns: turn
+    cross << 0, arms.z(), -arms.y(), -arms.z(), 0, arms.x(), arms.y(), -arms.x(), 0;
+    matrix.bottomLeftCorner<3, 3>() += cross;
+    matrix.topRightCorner<3, 3>() += cross.transpose();
+    matrix.diagonal().tail<3>().array() += total_;
+    right.head<3>() += twists_.cast<double>();
+    right.tail<3>() += pulls_.cast<double>();
+    // Points in a line or a single point leave a motion open: it is not made.
+    matrix.diagonal().head<3>().array() += 1e-6 * matrix.diagonal().head<3>().sum() + 1e-9;
+    matrix.diagonal().tail<3>().array() += 1e-6 * matrix.diagonal().tail<3>().sum() + 1e-9;
+    const Eigen::Matrix<double, 6, 1> x = matrix.ldlt().solve(right);
     const double angle = x.head<3>().norm(), keep = std::min(1.0, kLargestTurn / std::max(angle, 1e-12));
     Isometry3d step = Isometry3d::Identity();
-    step.translate(centre_ + keep * x.tail<3>());
+    step.translate(centre + keep * x.tail<3>());
     if (angle > 0) step.rotate(Eigen::AngleAxisd(keep * angle, x.head<3>() / angle));
-    step.translate(-centre_);
+    step.translate(-centre);
     return step;
   }
 
  private:
-  Vector3d centre_;
-  Matrix6d matrix_ = Matrix6d::Zero();
-  Vector6d right_ = Vector6d::Zero();
+  using Row = Eigen::Matrix<float, 8, 1>;
+  Vector3f centre_;
+  Eigen::Matrix<float, 8, 8> planes_ = Eigen::Matrix<float, 8, 8>::Zero();
+  Eigen::Matrix3f products_ = Eigen::Matrix3f::Zero();
+  Vector3f arms_ = Vector3f::Zero(), pulls_ = Vector3f::Zero(), twists_ = Vector3f::Zero();
+  float total_ = 0;
 };
 
 /// (1 + r^2)^-2 (Geman and McClure): as Welsch's weight, without its exponential.
-double robustWeight(double squared, double scale) {
-  const double r = 1 + squared / (scale * scale);
+float robustWeight(float squared, float scale) {
+  const float r = 1 + squared / (scale * scale);
   return 1 / (r * r);
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-Pair pairOf(const PreparedPreop& preop, const ScanSample& sample, Index i, const Isometry3d& pose) {
-  Pair p;
-  p.moved = pose * sample.points.row(i).transpose();
-  const int near = preop.grid().closest(p.moved);
-  p.toTarget = preop.surface().points.row(near).transpose() - p.moved;
-  p.normal = preop.normals().row(near);
-  p.squared = p.toTarget.squaredNorm();
-  p.agreement = p.normal.dot(pose.linear() * sample.normals.row(i).transpose());
-  p.label = sample.labels[static_cast<std::size_t>(i)];
-  if (p.label > 0) p.own = preop.grid(p.label).closest(p.moved);
-  return p;
+/// The scale beyond which a point counts little: twice the median, and not below kRobustMm.
+float robustScale(std::vector<float>& squared) {
+  if (squared.empty()) return kRobustMm;
+  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
+  std::nth_element(squared.begin(), middle, squared.end());
+  return std::max(kRobustMm, 2 * std::sqrt(*middle));
 }
 
 }  // namespace
 
-void alignCoarsely(const PreparedPreop& preop, const ScanSample& sample, const CoarsePull& pull,
+CoarseTarget::CoarseTarget(const Surface& preop, const Points& normals) {
+  for (Index i = 0; i < preop.size(); ++i)
+    places_.push_back(
+        {preop.points.row(i).transpose().cast<float>(), normals.row(i).transpose().cast<float>()});
+  std::vector<int> rows(static_cast<std::size_t>(preop.size()));
+  std::iota(rows.begin(), rows.end(), 0);
+  all_ = ClosestPointGrid(preop.points, rows, kGridCellMm, kMarginMm);
+  for (const int label : patchLabels(preop))
+    labels_[label] = ClosestPointGrid(preop.points, pointsOfPatch(preop, label), kGridCellMm, kLabelMarginMm);
+}
+
+void alignCoarsely(const CoarseTarget& target, const ScanSample& sample, const CoarsePull& pull,
                    int iterations, StartPose& pose) {
   const auto n = static_cast<std::size_t>(sample.size());
   std::vector<Pair> pairs(n);
-  std::vector<double> squared(n), own;
-  const double decay =
-      pull.first > 0 ? std::pow(pull.last / pull.first, 1.0 / std::max(1, iterations / 2)) : 1;
+  std::vector<float> squared, ownSquared;
+  const double decay = pull.first > 0 ? std::pow(pull.last / pull.first, 2.0 / std::max(2, iterations)) : 1;
   double ownWeight = pull.first;
   const Vector3d middle = sample.points.colwise().mean();
   const double reach = (sample.points.rowwise() - middle.transpose()).rowwise().norm().maxCoeff();
   for (int step = 0; step < iterations; ++step) {
-    own.clear();
+    const Pose here(pose.preopFromScan);
+    squared.clear();
+    ownSquared.clear();
     for (std::size_t i = 0; i < n; ++i) {
-      pairs[i] = pairOf(preop, sample, static_cast<Index>(i), pose.preopFromScan);
-      squared[i] = pairs[i].squared;
-      if (pairs[i].own >= 0)
-        own.push_back((preop.surface().points.row(pairs[i].own).transpose() - pairs[i].moved).squaredNorm());
+      pairs[i] = pairOf(target, sample, i, here);
+      squared.push_back(pairs[i].squared);
+      if (pairs[i].ownSquared >= 0) ownSquared.push_back(pairs[i].ownSquared);
     }
-    const double scale = std::max(kRobustMm, 2 * std::sqrt(median(squared)));
-    const double ownScale = own.empty() ? 1 : std::max(kRobustMm, 2 * std::sqrt(median(own)));
+    const float scale = robustScale(squared), ownScale = robustScale(ownSquared);
     const Vector3d centre = pose.preopFromScan * middle;
-    Equations equations(centre);
+    Equations equations(centre.cast<float>());
     for (const Pair& p : pairs) {
-      if (pull.surface > 0) {
-        const double weight =
-            pull.surface * robustWeight(p.squared, scale) * std::clamp(p.agreement, kLeastAgreement, 1.0);
+      if (pull.surface) {
+        const float weight = robustWeight(p.squared, scale) * std::clamp(p.agreement, kLeastAgreement, 1.0F);
         equations.addPlane(p, weight);
         equations.addPoint(p.moved, p.toTarget, kPointShare * weight);
       }
-      if (p.own < 0 || ownWeight <= 0) continue;
-      const Vector3d toOwn = preop.surface().points.row(p.own).transpose() - p.moved;
-      equations.addPoint(p.moved, toOwn, ownWeight * robustWeight(toOwn.squaredNorm(), ownScale));
+      if (p.ownSquared >= 0)
+        equations.addPoint(p.moved, p.toOwn,
+                           static_cast<float>(ownWeight) * robustWeight(p.ownSquared, ownScale));
     }
     const Isometry3d motion = equations.solve();
     pose.preopFromScan = motion * pose.preopFromScan;
@@ -134,15 +172,16 @@ void alignCoarsely(const PreparedPreop& preop, const ScanSample& sample, const C
       Eigen::Quaterniond(pose.preopFromScan.linear()).normalized().toRotationMatrix();
 }
 
-void scoreCoarsely(const PreparedPreop& preop, const ScanSample& sample, StartPose& pose) {
-  const auto term = [](double squared) { return squared / (squared + kScoreScaleMm * kScoreScaleMm); };
+void scoreCoarsely(const CoarseTarget& target, const ScanSample& sample, StartPose& pose) {
+  const auto term = [](float squared) { return squared / (squared + kScoreScaleMm * kScoreScaleMm); };
+  const Pose here(pose.preopFromScan);
   double sum = 0, weights = 0;
-  for (Index i = 0; i < sample.size(); ++i) {
-    const Pair p = pairOf(preop, sample, i, pose.preopFromScan);
+  for (std::size_t i = 0; i < sample.labels.size(); ++i) {
+    const Pair p = pairOf(target, sample, i, here);
     sum += p.agreement < 0 ? 1 : term(p.squared);
     weights += 1;
-    if (p.own < 0) continue;
-    sum += 2 * term((preop.surface().points.row(p.own).transpose() - p.moved).squaredNorm());
+    if (p.ownSquared < 0) continue;
+    sum += 2 * term(p.ownSquared);
     weights += 2;
   }
   pose.score = sum / weights;

@@ -1,8 +1,36 @@
 #pragma once
-#include "Logic/Registration/PreparedPreop.h"
+#include <map>
+#include <vector>
+
+#include "Logic/Core/Surface.h"
+#include "Logic/Geometry/ClosestPointGrid.h"
 #include "Logic/Registration/ScanSample.h"
 
 namespace falciform {
+
+/// The pre-op surface as a search sees it: maps of closest points of the whole and of each label, and points
+/// with normals packed side by side, in single precision (a search is good to a millimetre).
+class CoarseTarget {
+ public:
+  CoarseTarget() = default;
+  /// `normals`: N x 3 of the surface's points; every label of the surface gets its map.
+  CoarseTarget(const Surface& preop, const Points& normals);
+
+  struct Place {
+    Eigen::Vector3f point, normal;
+  };
+  [[nodiscard]] const Place& closest(const Eigen::Vector3f& query) const {
+    return places_[static_cast<std::size_t>(all_.closest(query))];
+  }
+  [[nodiscard]] const Place& closestOf(int label, const Eigen::Vector3f& query) const {
+    return places_[static_cast<std::size_t>(labels_.at(label).closest(query))];
+  }
+
+ private:
+  std::vector<Place> places_;
+  ClosestPointGrid all_;
+  std::map<int, ClosestPointGrid> labels_;
+};
 
 /// A pose that a search may keep.
 struct StartPose {
@@ -13,19 +41,19 @@ struct StartPose {
 };
 
 /// How hard labelled points pull to their own label, against one that is not labelled: from `first` down to
-/// `last` over the iterations, by a constant factor each.
+/// `last` over half the iterations, by a constant factor each.
 struct CoarsePull {
   double first = 0, last = 0;
-  double surface = 1;  ///< weight of all points' pull to the surface; 0: labels alone
+  bool surface = true;  ///< false: labelled points to their labels alone
 };
 
-/// Rigid closest-point alignment for searches: point-to-plane with a little point-to-point, robust, over the
-/// maps of closest points. A few microseconds a step for a few hundred points. Needs preop.normals().
-/// `iterations` at most; stops when nothing moves by 0.1 mm and the pull has reached its last value.
-void alignCoarsely(const PreparedPreop& preop, const ScanSample& sample, const CoarsePull& pull,
+/// Rigid closest-point alignment for searches: point-to-plane with a little point-to-point, robust. Some ten
+/// microseconds a step for a few hundred points. At most `iterations` steps; stops when nothing moves by
+/// 0.1 mm and the pull has reached its last value.
+void alignCoarsely(const CoarseTarget& target, const ScanSample& sample, const CoarsePull& pull,
                    int iterations, StartPose& pose);
 
 /// Sets the score of `pose`.
-void scoreCoarsely(const PreparedPreop& preop, const ScanSample& sample, StartPose& pose);
+void scoreCoarsely(const CoarseTarget& target, const ScanSample& sample, StartPose& pose);
 
 }  // namespace falciform

@@ -1,5 +1,6 @@
 #pragma once
 #include "Logic/Registration/PatchIcp.h"
+#include "Logic/Registration/PreparedPreop.h"
 
 namespace falciform {
 

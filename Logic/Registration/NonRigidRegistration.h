@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "Logic/Registration/PatchIcp.h"
+#include "Logic/Registration/PreparedPreop.h"
 #include "Logic/Registration/ThinPlateSpline.h"
 
 namespace falciform {

@@ -66,21 +66,6 @@ std::string stageText(const IterationRecord& r) {
 
 }  // namespace
 
-Points boxCorners(const Points& points) {
-  const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
-  Points corners(8, 3);
-  for (int c = 0; c < 8; ++c)
-    for (int a = 0; a < 3; ++a) corners(c, a) = (c >> a & 1) ? high[a] : low[a];
-  return corners;
-}
-
-LabelledSource subsetOf(const LabelledSource& source, const std::vector<int>& ids) {
-  LabelledSource part{rowsOf(source.points, ids), {}};
-  part.labels.reserve(ids.size());
-  for (const int i : ids) part.labels.push_back(source.labels[static_cast<std::size_t>(i)]);
-  return part;
-}
-
 double patchWeight(const RegistrationSettings& s, int iteration) {
   if (s.method == RegistrationMethod::Icp) return 1;
   if (s.method == RegistrationMethod::Wgf) return s.weightMax;

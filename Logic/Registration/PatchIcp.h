@@ -3,24 +3,11 @@
 
 #include "Logic/Core/Progress.h"
 #include "Logic/Core/Results.h"
+#include "Logic/Registration/LabelledSource.h"
 #include "Logic/Registration/LabelledTarget.h"
 #include "Logic/Registration/RegistrationSettings.h"
-#include "Logic/Registration/SurfaceRegistration.h"
 
 namespace falciform {
-
-/// The moving side of a registration: N x 3 points in their own frame and N labels (0: none).
-struct LabelledSource {
-  Points points;
-  std::vector<int> labels;
-};
-
-/// Rows `ids` of `source`.
-[[nodiscard]] LabelledSource subsetOf(const LabelledSource& source, const std::vector<int>& ids);
-
-/// Corners of the points' box: the point that moves farthest under a rigid step moves no farther than one of
-/// them.
-[[nodiscard]] Points boxCorners(const Points& points);
 
 struct PatchIcpResult {
   Isometry3d preopFromScan = Isometry3d::Identity();

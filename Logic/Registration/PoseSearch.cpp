@@ -122,13 +122,13 @@ std::vector<StartPose> startsFromPatches(const PreparedPreop& preop, const ScanS
   const ScanSample patches = subsetOf(sample, labelled);
   const Points corners = boxCorners(sample.points);
   improveAll(poses, progress.part(0, 0.4), [&](StartPose& pose) {
-    alignCoarsely(preop, patches, {1, 1, 0}, 15, pose);
-    scoreCoarsely(preop, patches, pose);
+    alignCoarsely(preop.coarse(), patches, {1, 1, false}, 15, pose);
+    scoreCoarsely(preop.coarse(), patches, pose);
   });
   keepDistinct(poses, corners, kRefined);
   improveAll(poses, progress.part(0.4, 1), [&](StartPose& pose) {
-    alignCoarsely(preop, sample, {30, 1, 1}, 25, pose);
-    scoreCoarsely(preop, sample, pose);
+    alignCoarsely(preop.coarse(), sample, {30, 1, true}, 25, pose);
+    scoreCoarsely(preop.coarse(), sample, pose);
   });
   keepDistinct(poses, corners, kRefined);
   return poses;
@@ -166,13 +166,13 @@ std::vector<StartPose> startsFromSurface(const PreparedPreop& preop, const ScanS
     const double begin = static_cast<double>(side) / static_cast<double>(sides.size());
     improveAll(found, progress.part(begin, begin + 1.0 / static_cast<double>(sides.size())),
                [&](StartPose& pose) {
-                 alignCoarsely(preop, quick, {0, 0, 1}, 20, pose);
-                 scoreCoarsely(preop, quick, pose);
+                 alignCoarsely(preop.coarse(), quick, {0, 0, true}, 20, pose);
+                 scoreCoarsely(preop.coarse(), quick, pose);
                });
     keepDistinct(found, corners, kRefined);
     improveAll(found, {}, [&](StartPose& pose) {
-      alignCoarsely(preop, sides[side], {0, 0, 1}, 15, pose);
-      scoreCoarsely(preop, sides[side], pose);
+      alignCoarsely(preop.coarse(), sides[side], {0, 0, true}, 15, pose);
+      scoreCoarsely(preop.coarse(), sides[side], pose);
     });
     poses.insert(poses.end(), found.begin(), found.end());
   }

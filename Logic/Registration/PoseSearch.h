@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "Logic/Core/Progress.h"
-#include "Logic/Registration/CoarseAlignment.h"
+#include "Logic/Registration/PreparedPreop.h"
 
 namespace falciform {
 

@@ -1,7 +1,5 @@
 #include "Logic/Registration/PreparedPreop.h"
 
-#include <numeric>
-
 #include "Logic/Core/Errors.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Registration/ScanSample.h"
@@ -10,7 +8,6 @@ namespace falciform {
 
 namespace {
 
-constexpr double kGridCellMm = 4, kGridMarginMm = 40, kLabelMarginMm = 60;
 constexpr Index kSample = 8000;
 
 const Surface& checked(const Surface& preop) {
@@ -27,12 +24,7 @@ PreparedPreop::PreparedPreop(const Surface& preop) : surface_(checked(preop)), m
   normals_ = vertexNormals(preop);
   areas_ = vertexAreas(preop);
   sample_ = randomRows(preop.size(), kSample);
-  std::vector<int> all(static_cast<std::size_t>(preop.size()));
-  std::iota(all.begin(), all.end(), 0);
-  grid_ = ClosestPointGrid(preop.points, all, kGridCellMm, kGridMarginMm);
-  for (const int label : patchLabels(preop))
-    labelGrids_[label] =
-        ClosestPointGrid(preop.points, pointsOfPatch(preop, label), kGridCellMm, kLabelMarginMm);
+  coarse_ = CoarseTarget(preop, normals_);
   target_ = std::make_shared<const LabelledTarget>(preop, patchLabels(preop));
 }
 

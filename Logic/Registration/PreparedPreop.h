@@ -1,9 +1,8 @@
 #pragma once
-#include <map>
 #include <memory>
 
 #include "Logic/Core/Surface.h"
-#include "Logic/Geometry/ClosestPointGrid.h"
+#include "Logic/Registration/CoarseAlignment.h"
 #include "Logic/Registration/ElasticModes.h"
 #include "Logic/Registration/LabelledTarget.h"
 
@@ -25,9 +24,7 @@ class PreparedPreop {
   [[nodiscard]] const VectorXd& areas() const { return areas_; }
 
   [[nodiscard]] const ElasticModes& modes() const { return modes_; }
-  /// Closest points of the whole surface, and of one label that the surface has, for searches.
-  [[nodiscard]] const ClosestPointGrid& grid() const { return grid_; }
-  [[nodiscard]] const ClosestPointGrid& grid(int label) const { return labelGrids_.at(label); }
+  [[nodiscard]] const CoarseTarget& coarse() const { return coarse_; }
   /// Rows that stand for the surface, spread at random, where a share or a mean need not be exact.
   [[nodiscard]] const std::vector<int>& sample() const { return sample_; }
 
@@ -37,8 +34,7 @@ class PreparedPreop {
   VectorXd areas_;
   ElasticModes modes_;
   std::vector<int> sample_;
-  ClosestPointGrid grid_;
-  std::map<int, ClosestPointGrid> labelGrids_;
+  CoarseTarget coarse_;
   std::shared_ptr<const LabelledTarget> target_;
 };
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Sampling.h"
@@ -17,13 +16,6 @@ constexpr int kNeighbours = 24, kSpacingNeighbour = 8;
 constexpr double kStraggler = 2;         // times the usual spacing
 constexpr double kNeighbourhoodMm = 50;  // what counts as far when orientation is handed on
 constexpr double kSureBulge = 0.25;      // correlation of place and normal; a sphere's cap has 1
-
-std::uint64_t scrambled(std::uint64_t x) {  // splitmix64
-  x += 0x9E3779B97F4A7C15ULL;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
-  return x ^ (x >> 31);
-}
 
 struct LocalPlane {
   Vector3d normal = Vector3d::Zero();
@@ -78,20 +70,6 @@ void orientAlike(const Points& points, Points& normals) {
 }
 
 }  // namespace
-
-std::vector<int> randomRows(Index rows, Index count) {
-  std::vector<int> ids(static_cast<std::size_t>(rows));
-  std::iota(ids.begin(), ids.end(), 0);
-  if (rows <= count) return ids;
-  std::vector<std::pair<std::uint64_t, int>> drawn;
-  drawn.reserve(ids.size());
-  for (const int i : ids) drawn.emplace_back(scrambled(static_cast<std::uint64_t>(i)), i);
-  std::nth_element(drawn.begin(), drawn.begin() + count, drawn.end());
-  ids.clear();
-  for (Index k = 0; k < count; ++k) ids.push_back(drawn[static_cast<std::size_t>(k)].second);
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
 
 ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index others, Index perLabel) {
   std::map<int, std::vector<int>> byLabel;

@@ -1,6 +1,6 @@
 #pragma once
 #include "Logic/Geometry/KdTree.h"
-#include "Logic/Registration/PatchIcp.h"
+#include "Logic/Registration/LabelledSource.h"
 
 namespace falciform {
 
@@ -15,9 +15,6 @@ struct ScanSample {
 
   [[nodiscard]] Index size() const { return points.rows(); }
 };
-
-/// `count` rows out of `rows` that are spread at random, the same at every call; all if there are fewer.
-[[nodiscard]] std::vector<int> randomRows(Index rows, Index count);
 
 /// About `others` points of no label and at most `perLabel` of each label. A point whose neighbours are twice
 /// as far as usual is left out (smoke, threads, the edge of a retractor). `tree` is over scan.points.

@@ -1,15 +1,10 @@
 #pragma once
-#include <functional>
-
 #include "Logic/Core/Progress.h"
 #include "Logic/Core/Results.h"
 #include "Logic/Registration/PreparedPreop.h"
 #include "Logic/Registration/RegistrationSettings.h"
 
 namespace falciform {
-
-/// Called after each iteration of the running start; for live curves. May run on a worker thread.
-using IterationObserver = std::function<void(const IterationRecord&)>;
 
 /// Finds where the scan lies on the pre-operative surface (thesis ch. III). Source is the scan, target the
 /// pre-op surface's points; both keep their frames. `scanFromPreopStart`: the one start for
