@@ -20,11 +20,11 @@ ClosestPointGrid::ClosestPointGrid(const Points& points, const std::vector<int>&
     low = low.cwiseMin(points.row(i).transpose());
     high = high.cwiseMax(points.row(i).transpose());
   }
-  low_ = (low - Vector3d::Constant(marginMm)).cast<float>();
-  const Vector3d extent = high - low + Vector3d::Constant(2 * marginMm + 1e-6);
+  const Vector3d extent = high - low + Vector3d::Constant(2 * marginMm);
   const double cell = std::max(cellMm, std::cbrt(extent.prod() / kMostCells));
+  low_ = (low - Vector3d::Constant(marginMm + cell)).cast<float>();  // one more cell all round
   perMm_ = static_cast<float>(1 / cell);
-  counts_ = (extent / cell).array().ceil().max(1).cast<int>();
+  counts_ = ((extent / cell).array().ceil() + 3).cast<int>();
   nearest_.assign(static_cast<std::size_t>(counts_.prod()), -1);
 
   std::vector<float> offsets(nearest_.size(), std::numeric_limits<float>::infinity());
@@ -39,43 +39,52 @@ ClosestPointGrid::ClosestPointGrid(const Points& points, const std::vector<int>&
   propagate(points);
 }
 
-/// Hands each cell's point on to the cells after it, then to those before it, and once more: what a
-/// two-pass vector distance transform does (Danielsson 1980).
+/// Hands each cell's point on to the cells after it, then to those before it, twice: a vector distance
+/// transform (Danielsson 1980). The outermost cells only receive in a last step, so that the inner loop needs
+/// no checks.
 void ClosestPointGrid::propagate(const Points& points) {
-  std::vector<Vector3i> before;  // the 13 neighbours that come earlier in memory
+  std::vector<int> before;  // steps in memory to the 13 neighbours that come earlier
   for (int z = -1; z <= 0; ++z)
     for (int y = -1; y <= (z < 0 ? 1 : 0); ++y)
-      for (int x = -1; x <= (z < 0 || y < 0 ? 1 : -1); ++x) before.emplace_back(x, y, z);
-  std::vector<double> squared(nearest_.size(), std::numeric_limits<double>::infinity());
-  const double cell = cellMm();
-  const auto centreOf = [&](const Vector3i& at) -> Vector3d {
-    return low_.cast<double>() + cell * (at.cast<double>() + Vector3d::Constant(0.5));
-  };
-  const auto indexOf = [&](const Vector3i& at) {
-    return static_cast<std::size_t>(at.x() + counts_[0] * (at.y() + counts_[1] * at.z()));
-  };
-  const auto improve = [&](const Vector3i& at, int direction) {
-    const std::size_t here = indexOf(at);
-    const Vector3d centre = centreOf(at);
-    if (nearest_[here] >= 0 && std::isinf(squared[here]))
-      squared[here] = (points.row(nearest_[here]).transpose() - centre).squaredNorm();
-    for (const Vector3i& step : before) {
-      const Vector3i from = at + direction * step;
-      if ((from.array() < 0).any() || (from.array() >= counts_.array()).any()) continue;
-      const int point = nearest_[indexOf(from)];
-      if (point < 0 || point == nearest_[here]) continue;
-      const double distance = (points.row(point).transpose() - centre).squaredNorm();
-      if (distance < squared[here]) squared[here] = distance, nearest_[here] = point;
+      for (int x = -1; x <= (z < 0 || y < 0 ? 1 : -1); ++x)
+        before.push_back(x + counts_[0] * (y + counts_[1] * z));
+  std::vector<float> squared(nearest_.size(), std::numeric_limits<float>::infinity());
+  const Points::RealScalar* xyz = points.data();
+  const auto improve = [&](int x, int y, int z, int direction) {
+    const int here = x + counts_[0] * (y + counts_[1] * z);
+    const Eigen::Vector3f centre =
+        low_ + (Eigen::Vector3i(x, y, z).cast<float>() + Eigen::Vector3f::Constant(0.5F)) / perMm_;
+    int& best = nearest_[static_cast<std::size_t>(here)];
+    float& least = squared[static_cast<std::size_t>(here)];
+    const auto distanceTo = [&](int point) {
+      const double* p = xyz + 3 * static_cast<std::ptrdiff_t>(point);
+      const float dx = static_cast<float>(p[0]) - centre.x(), dy = static_cast<float>(p[1]) - centre.y(),
+                  dz = static_cast<float>(p[2]) - centre.z();
+      return dx * dx + dy * dy + dz * dz;
+    };
+    if (best >= 0 && std::isinf(least)) least = distanceTo(best);
+    for (const int step : before) {
+      const int point = nearest_[static_cast<std::size_t>(here + direction * step)];
+      if (point < 0 || point == best) continue;
+      const float distance = distanceTo(point);
+      if (distance < least) least = distance, best = point;
     }
   };
   for (int pass = 0; pass < 2; ++pass) {
-    for (int z = 0; z < counts_[2]; ++z)
-      for (int y = 0; y < counts_[1]; ++y)
-        for (int x = 0; x < counts_[0]; ++x) improve({x, y, z}, 1);
-    for (int z = counts_[2] - 1; z >= 0; --z)
-      for (int y = counts_[1] - 1; y >= 0; --y)
-        for (int x = counts_[0] - 1; x >= 0; --x) improve({x, y, z}, -1);
+    for (int z = 1; z < counts_[2] - 1; ++z)
+      for (int y = 1; y < counts_[1] - 1; ++y)
+        for (int x = 1; x < counts_[0] - 1; ++x) improve(x, y, z, 1);
+    for (int z = counts_[2] - 2; z > 0; --z)
+      for (int y = counts_[1] - 2; y > 0; --y)
+        for (int x = counts_[0] - 2; x > 0; --x) improve(x, y, z, -1);
   }
+  for (int z = 0; z < counts_[2]; ++z)
+    for (int y = 0; y < counts_[1]; ++y)
+      for (int x = 0; x < counts_[0]; ++x) {
+        const Vector3i inner = Vector3i(x, y, z).cwiseMax(1).cwiseMin((counts_.array() - 2).matrix());
+        nearest_[static_cast<std::size_t>(x + counts_[0] * (y + counts_[1] * z))] =
+            nearest_[static_cast<std::size_t>(inner.x() + counts_[0] * (inner.y() + counts_[1] * inner.z()))];
+      }
 }
 
 }  // namespace falciform

@@ -57,13 +57,16 @@ class Fit {
   ElasticFitSettings settings_;
   Isometry3d pose;
   ElasticModes::Coefficients bending = ElasticModes::Coefficients::Zero();
-  ElasticModes::Energy covariance;
+  [[nodiscard]] ElasticModes::Energy covariance() const {
+    return factors_.solve(ElasticModes::Energy::Identity());
+  }
   double strain = settings_.strain, residualMm = settings_.residualMm;
 
  private:
   void addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums) const;
   std::vector<Match> matches_;
   double scale_ = 1, patchScale_ = 1;
+  Eigen::LDLT<ElasticModes::Energy> factors_;
 };
 
 void Fit::match() {
@@ -133,9 +136,8 @@ void Fit::step() {
   ElasticModes::Energy matrix = total.matrix.selfadjointView<Eigen::Lower>();
   matrix += preop_.modes().energy() / (strain * strain);
   matrix.diagonal().array() += 1e-12 * matrix.trace();
-  const Eigen::LDLT<ElasticModes::Energy> factors(matrix);
-  const Unknowns q = factors.solve(total.right);
-  covariance = factors.solve(ElasticModes::Energy::Identity());
+  factors_.compute(matrix);
+  const Unknowns q = factors_.solve(total.right);
   bending = Eigen::Map<const ElasticModes::Coefficients>(q.data());
   const Isometry3d rigid = preop_.modes().rigidPart(bending);
   bending = preop_.modes().without(rigid, bending);
@@ -197,7 +199,7 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
   if (!result.pose.converged) result.pose.stopReason = "the largest number of iterations was reached";
   result.pose.preopFromScan = fit.pose;
   result.bending = fit.bending;
-  result.covariance = fit.covariance;
+  result.covariance = fit.covariance();
   result.score = fit.score();
   result.strain = fit.strain;
   result.residualMm = fit.residualMm;

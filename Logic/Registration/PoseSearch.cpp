@@ -17,6 +17,8 @@ namespace {
 constexpr int kPatchRotations = 72, kSurfaceRotations = 300;
 constexpr std::size_t kRefined = 24;  // at most so many poses are refined on the whole sample
 constexpr Index kQuickPoints = 150;
+constexpr int kFirstSteps = 10;  // then the worse two thirds are given up
+constexpr std::size_t kPromising = 100;
 constexpr double kSameBasinMm = 10;  // poses that place the sample's box this near each other are one
 constexpr double kFacing = 0.3;      // cosine: what a scanner sees of a surface
 
@@ -166,9 +168,14 @@ std::vector<StartPose> startsFromSurface(const PreparedPreop& preop, const ScanS
     const double begin = static_cast<double>(side) / static_cast<double>(sides.size());
     improveAll(found, progress.part(begin, begin + 1.0 / static_cast<double>(sides.size())),
                [&](StartPose& pose) {
-                 alignCoarsely(preop.coarse(), quick, {0, 0, true}, 20, pose);
+                 alignCoarsely(preop.coarse(), quick, {0, 0, true}, kFirstSteps, pose);
                  scoreCoarsely(preop.coarse(), quick, pose);
                });
+    keepDistinct(found, corners, kPromising);
+    improveAll(found, {}, [&](StartPose& pose) {
+      alignCoarsely(preop.coarse(), quick, {0, 0, true}, kFirstSteps, pose);
+      scoreCoarsely(preop.coarse(), quick, pose);
+    });
     keepDistinct(found, corners, kRefined);
     improveAll(found, {}, [&](StartPose& pose) {
       alignCoarsely(preop.coarse(), sides[side], {0, 0, true}, 15, pose);

@@ -8,7 +8,7 @@ namespace falciform {
 
 namespace {
 
-constexpr Index kSample = 8000;
+constexpr Index kSample = 4000;
 
 const Surface& checked(const Surface& preop) {
   checkSurface(preop, "pre-op surface");

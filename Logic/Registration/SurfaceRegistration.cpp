@@ -6,6 +6,7 @@
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
 #include "Logic/Registration/ElasticFit.h"
+#include "Logic/Registration/MethodDispatch.h"
 #include "Logic/Registration/PatchIcp.h"
 #include "Logic/Registration/PoseSearch.h"
 #include "Logic/Registration/RegistrationFigures.h"
@@ -15,9 +16,9 @@ namespace falciform {
 namespace {
 
 constexpr Index kSearchPoints = 300, kSearchPerPatch = 60;  // stand for the scan in a search
-constexpr Index kRankPoints = 400, kFinishPoints = 4000;    // and in the elastic fit
-constexpr Index kLoopPoints = 2000;                         // and in the loop, before the finish
-constexpr std::size_t kRanked = 6;  // so many basins are compared by what the elastic fit makes of them
+constexpr Index kRankPoints = 400, kNearPoints = 1000, kFinishPoints = 4000;  // and in the elastic fit
+constexpr Index kLoopPoints = 2000;  // and in the loop, before the finish
+constexpr std::size_t kRanked = 6;   // so many basins are compared by what the elastic fit makes of them
 
 /// Labels that both sides have, or those asked for; throws InputError if one asked for is missing.
 std::vector<int> sharedLabels(const Surface& preop, const Surface& scan,
@@ -87,6 +88,12 @@ std::vector<StartPose> search(const Task& task, const Progress& progress) {
                                       ? startsFromPatches(task.preop, sample, progress.part(0, 0.7))
                                       : startsFromSurface(task.preop, sample, progress.part(0, 0.7));
   if (!task.elastic) return starts;
+  // What fits far worse than the best before it may bend is a basin of its own, but no rival.
+  const double rival = 1.5 * starts.front().score + 0.05;
+  const auto hopeless =
+      std::find_if(starts.begin(), starts.end(), [&](const StartPose& s) { return s.score > rival; });
+  std::vector<StartPose> others(hopeless, starts.end());
+  starts.erase(hopeless, starts.end());
   starts.resize(std::min(starts.size(), kRanked));
   const LabelledSource few = task.part(kRankPoints);
   ElasticFitSettings quick;
@@ -101,6 +108,7 @@ std::vector<StartPose> search(const Task& task, const Progress& progress) {
     }
   });
   progress.report(1);
+  starts.insert(starts.end(), others.begin(), others.end());
   keepDistinct(starts, boxCorners(few.points), kRanked);
   return starts;
 }
@@ -118,11 +126,19 @@ void finish(const Task& task, const PatchIcpResult& from, const Progress& progre
             RegistrationResult& result, PatchIcpResult& run) {
   ElasticFitSettings settings;
   settings.patchWeight = task.settings.weightBase;
-  settings.firstIteration = static_cast<int>(from.history.size()) + 1;
-  ElasticFitResult fit =
-      fitElastic(task.preop, task.part(kFinishPoints), settings, from.preopFromScan, progress, task.observer);
-  run = fit.pose;
-  run.history.insert(run.history.begin(), from.history.begin(), from.history.end());
+  run = from;
+  // Few points until little moves, then many for the last tenths.
+  ElasticFitResult fit;
+  for (const Index points : {kNearPoints, kFinishPoints}) {
+    const bool last = points == kFinishPoints;
+    settings.motionToleranceMm = last ? 0.02 : 0.1;
+    settings.maxIterations = last ? 15 : 25;
+    settings.firstIteration = static_cast<int>(run.history.size()) + 1;
+    fit = fitElastic(task.preop, task.part(points), settings, run.preopFromScan,
+                     last ? progress.part(0.5, 1) : progress.part(0, 0.5), task.observer);
+    fit.pose.history.insert(fit.pose.history.begin(), run.history.begin(), run.history.end());
+    run = fit.pose;
+  }
   result.expectedTargetErrorMm = expectedTargetError(task.preop.modes(), fit);
 }
 
@@ -142,8 +158,8 @@ RegistrationResult registerSurfaces(const PreparedPreop& preop, const Surface& s
             progress,
             observer};
   const bool mesh = preop.surface().triangles.rows() > 0;
-  task.elastic =
-      settings.finish == RegistrationFinish::Elastic && mesh && settings.method != RegistrationMethod::Icp;
+  task.elastic = settings.finish == RegistrationFinish::Elastic && mesh &&
+                 settings.method != RegistrationMethod::Icp && !isOtherMethod(settings.method);
   const bool global = mesh && (settings.method == RegistrationMethod::Auto ||
                                (settings.start == RegistrationStart::Patches && task.painted()));
 
@@ -151,10 +167,17 @@ RegistrationResult registerSurfaces(const PreparedPreop& preop, const Surface& s
   PatchIcpResult run;
   if (global) starts = search(task, progress.part(0, 0.5));
   run.preopFromScan = starts.front().preopFromScan;
-  if (!global || !task.elastic)
+  OtherMethodResult other;
+  if (isOtherMethod(settings.method)) {
+    other = runOtherMethod(preop, scan, settings, run.preopFromScan, progress.part(global ? 0.5 : 0, 0.95),
+                           observer);
+    run = std::move(other.run);
+  } else if (!global || !task.elastic) {
     run = loop(task, run.preopFromScan, progress.part(global ? 0.5 : 0, task.elastic ? 0.6 : 0.95));
+  }
 
   RegistrationResult result;
+  result.warp = std::move(other.warp);
   if (task.elastic) finish(task, PatchIcpResult(run), progress.part(0.6, 0.95), result, run);
   result.scanFromPreop = run.preopFromScan.inverse();
   result.history = run.history;
