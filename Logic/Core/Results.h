@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,21 @@ struct IterationRecord {
   Isometry3d preopFromScan = Isometry3d::Identity();  ///< pose after the step
 };
 
+/// Called after each iteration of the running start; for live curves. May run on a worker thread.
+using IterationObserver = std::function<void(const IterationRecord&)>;
+
 /// A pose that some starts led to: one local minimum of the robust residual.
 struct RegistrationBasin {
   Isometry3d scanFromPreop = Isometry3d::Identity();
   double score = 0;  ///< robust residual in [0, 1] and what the bending costs, lower is better
                      ///< (Logic/Registration/ElasticFit.h)
   int starts = 0;    ///< how many starts ended here
+};
+
+/// What a non-rigid method makes of the pre-operative side.
+struct RegistrationWarp {
+  std::function<Points(const Points& preopMm)> scanFromPreop;  ///< any points of the pre-op side, to scan mm
+  Points preopOnScan;                                          ///< the pre-op surface's points, scan mm
 };
 
 /// Where the scan lies on the pre-operative surface. Residuals are *fit*, not target error.
@@ -38,6 +48,7 @@ struct RegistrationResult {
   /// bending included. Empty where the method gives none.
   std::function<double(const Vector3d& preopMm)> expectedTargetErrorMm;
   double expectedErrorMeanMm = 0;  ///< root of its mean square over the pre-op surface; 0 where there is none
+  std::optional<RegistrationWarp> warp;  ///< of a non-rigid method; all else here is of its rigid part
   std::map<int, double> patchRmsMm;  ///< per label: scan patch points to the same label of the pre-op surface
   double coverage = 0;       ///< share of the pre-op surface's area within reach of the scan, in [0, 1]
   double rotationDeg = 0;    ///< of the pose against the given start

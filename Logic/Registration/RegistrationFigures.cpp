@@ -109,11 +109,15 @@ void fillFigures(RegistrationResult& result, const PreparedPreop& preop, const S
 std::vector<std::string> registrationWarnings(const RegistrationResult& result, const Surface& preop,
                                               const Surface& scan, const RegistrationSettings& settings) {
   std::vector<std::string> warnings;
-  if (settings.method != RegistrationMethod::Icp && settings.method != RegistrationMethod::Auto)
+  if (looksAtPatches(settings))
     warnings = patchWarnings(preop, scan);
-  else if (settings.method == RegistrationMethod::Icp)
+  else if (settings.method != RegistrationMethod::Auto)
     warnings.push_back(
         "no patches were used: closest points alone find the pose only if the start is near it");
+  if (result.warp)
+    warnings.push_back(
+        "the method is not rigid: the transform and the residuals are of its rigid part only, the moved "
+        "surface and the target errors of the whole warp");
   if (!result.converged) warnings.push_back("the registration did not settle: " + result.stopReason);
   if (result.rmsMm > kFailedRmsMm)
     warnings.push_back("RMS residual is " + mm(result.rmsMm) + " (above " + mm(kFailedRmsMm) +

@@ -10,8 +10,7 @@ std::string RegistrationLogic::missingInput() const {
   if (startFromLandmarks &&
       (case_.preopLandmarks().points.size() < 3 || case_.scanLandmarks().points.size() < 3))
     return "A landmark start needs at least 3 landmarks on both sides.";
-  if (settings.method != RegistrationMethod::Icp &&
-      (patchLabels(*case_.preop()).empty() || patchLabels(*case_.scan()).empty()))
+  if (looksAtPatches(settings) && (patchLabels(*case_.preop()).empty() || patchLabels(*case_.scan()).empty()))
     return "Paint at least one patch on both the surface and the scan, or choose the method icp.";
   return {};
 }

@@ -9,16 +9,27 @@
 
 namespace falciform {
 
-/// Which closest-point method: each is a set of values of the one loop, not a loop of its own.
+/// Which closest-point method: the first four are sets of values of the one loop, not loops of their own; the
+/// others are baselines of the literature (MethodDispatch.h).
 enum class RegistrationMethod {
-  Icp,   ///< no labels (Besl and McKay 1992)
-  Wgf,   ///< labels, constant patch weight (Maurer 1998)
-  Picp,  ///< labels, patch weight relaxed by Eq. (III.3)
-  Auto,  ///< no labels and no start: every rotation tried on the bare surface
+  Icp,     ///< no labels (Besl and McKay 1992)
+  Wgf,     ///< labels, constant patch weight (Maurer 1998)
+  Picp,    ///< labels, patch weight relaxed by Eq. (III.3)
+  Auto,    ///< no labels and no start: every rotation tried on the bare surface
+  Dirr,    ///< the largest undeformed share, by Powell's method (Dirr.h)
+  Cpt,     ///< interpolated closest-point transform (ClosestPointTransform.h)
+  Colour,  ///< nearest in place and colour (ColourIcp.h)
+  Tps,     ///< thin-plate-spline ICP, not rigid (NonRigidRegistration.h)
+  Rpm,     ///< robust point matching, not rigid (NonRigidRegistration.h)
 };
 inline std::span<const std::string_view> enumNames(RegistrationMethod) {
-  static constexpr std::array<std::string_view, 4> names{"icp", "wgf", "picp", "auto"};
+  static constexpr std::array<std::string_view, 9> names{"icp", "wgf",    "picp", "auto", "dirr",
+                                                         "cpt", "colour", "tps",  "rpm"};
   return names;
+}
+/// Whether the method is one of MethodDispatch.h: it knows no patches beyond its start and has no finish.
+[[nodiscard]] constexpr bool isOtherMethod(RegistrationMethod method) {
+  return method >= RegistrationMethod::Dirr;
 }
 
 /// Where the search begins.
@@ -69,16 +80,20 @@ struct RegistrationSettings {
 
 template <class Visitor>
 void describe(RegistrationSettings& s, Visitor&& field) {
-  field(FieldInfo{"method", "Method", "", 0, 0,
-                  "icp: no patches, closest points alone; wgf: constant patch weight; picp: patch weight "
-                  "relaxed as the thesis; auto: no patches and no start."},
-        s.method);
+  field(
+      FieldInfo{
+          "method", "Method", "", 0, 0,
+          "icp: no patches, closest points alone; wgf: constant patch weight; picp: patch weight "
+          "relaxed as the thesis; auto: no patches and no start. Baselines of the literature, from a start "
+          "near by or from patches: dirr (undeformed share), cpt (voxel map), colour (textured scans), "
+          "tps and rpm (not rigid)."},
+      s.method);
   field(FieldInfo{"start", "Start", "", 0, 0,
                   "patches: no pose needed, every rotation of a grid is tried on them; given: one start."},
         s.start);
   field(FieldInfo{"finish", "Finish", "", 0, 0,
                   "elastic: the pose of the whole liver, which may have bent; none: the closest-point loop. "
-                  "icp has no finish."},
+                  "Of wgf, picp and auto."},
         s.finish);
   field(FieldInfo{"patches", "Patches", "", 1, 255,
                   "Patch labels to use; none means all that both sides have."},
@@ -108,6 +123,12 @@ void describe(RegistrationSettings& s, Visitor&& field) {
   field(FieldInfo{"rmsToleranceMm", "RMS tolerance", "mm", 1e-9, 1,
                   "Stop when the RMS residual changes by less (rms rule)."},
         s.rmsToleranceMm);
+}
+
+/// Whether patches bear on the result, if only through the start.
+[[nodiscard]] inline bool looksAtPatches(const RegistrationSettings& s) {
+  return s.method == RegistrationMethod::Wgf || s.method == RegistrationMethod::Picp ||
+         (isOtherMethod(s.method) && s.start == RegistrationStart::Patches);
 }
 
 /// "default", "thesis-phantom" (w_max 1000, alpha 0.01), "thesis-clinical" (3000, 0.005): thesis ch. III, one

@@ -45,7 +45,7 @@ void measureTargets(const CaseDescription& description, CommandRun& run, CaseOut
   if (description.targets.empty() || description.truthTargets.empty()) return;
   outcome.targetError = measureTargetError(run.landmarks(description.folder / description.targets),
                                            run.landmarks(description.folder / description.truthTargets),
-                                           outcome.registration->scanFromPreop, outcome.start.scanFromPreop);
+                                           *outcome.registration, outcome.start.scanFromPreop);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ CaseOutcome runCase(const CaseDescription& description, CaseSettings& settings, 
     outcome.structures[name] = std::make_shared<const Surface>(run.surface(description.folder / file));
   outcome.preopPatches = patchStatistics(preop);
   outcome.scanPatches = patchStatistics(scan);
-  if (settings.registration.method != RegistrationMethod::Icp) run.warn(patchWarnings(preop, scan));
+  if (looksAtPatches(settings.registration)) run.warn(patchWarnings(preop, scan));
 
   outcome.start = resolveStart(settings.init, settings.registration,
                                optionalLandmarks(description, description.preopLandmarks, run),

@@ -87,7 +87,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
                                   optionalLandmarks(arguments, "scan-landmarks", run), run);
   run.settings["registration"] = settingsToJson(settings);
   run.settings["preset"] = arguments.text("preset");
-  if (settings.method != RegistrationMethod::Icp) run.warn(patchWarnings(preop, scan));
+  if (looksAtPatches(settings)) run.warn(patchWarnings(preop, scan));
 
   const RegistrationResult result =
       registerSurfaces(preop, scan, settings, start.scanFromPreop, run.progress.part(0.05, 0.95));
@@ -95,7 +95,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.figures.update(toJson(result));
   run.figures["start"] = start.words;
   if (!targets.points.empty()) {
-    const TargetError error = measureTargetError(targets, truth, result.scanFromPreop, start.scanFromPreop);
+    const TargetError error = measureTargetError(targets, truth, result, start.scanFromPreop);
     run.figures["target_error"] = toJson(error);
     run.figures["target_error_mean_mm"] = error.meanMm;
   }

@@ -56,8 +56,12 @@ void writeRegistration(const Surface& preop, const Surface& scan, const Registra
   for (const char* name : {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json"})
     writeTransform(run.outputs.staged(folder / name), result.scanFromPreop, kScanFromPreopInWords,
                    Overwrite::Replace);
-  writeSurface(run.outputs.staged(folder / "preop_on_scan.vtp"),
-               transformed(preop, result.scanFromPreop, scan.frame), Overwrite::Replace);
+  Surface moved = transformed(preop, result.scanFromPreop, scan.frame);
+  if (result.warp) {
+    moved.points = result.warp->preopOnScan;
+    moved.normals.resize(0, 3);  // turned by the rigid part alone, they would be wrong
+  }
+  writeSurface(run.outputs.staged(folder / "preop_on_scan.vtp"), moved, Overwrite::Replace);
 }
 
 void describeFrames(CommandRun& run) {

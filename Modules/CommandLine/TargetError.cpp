@@ -42,11 +42,13 @@ PairedTargets pairTargets(const Landmarks& targets, const Landmarks& truth) {
 }
 
 TargetError measureTargetError(const Landmarks& targets, const Landmarks& truth,
-                               const Isometry3d& scanFromPreop, const Isometry3d& scanFromPreopStart) {
+                               const RegistrationResult& registration, const Isometry3d& scanFromPreopStart) {
   const auto [source, target] = pairTargets(targets, truth);
   TargetError error;
   for (const Landmark& point : targets.points) error.names.push_back(point.name);
-  error.errorsMm = targetErrors(source, target, scanFromPreop);
+  error.errorsMm = registration.warp
+                       ? VectorXd((registration.warp->scanFromPreop(source) - target).rowwise().norm())
+                       : targetErrors(source, target, registration.scanFromPreop);
   error.meanMm = error.errorsMm.mean();
   error.rmsMm = std::sqrt(error.errorsMm.squaredNorm() / static_cast<double>(error.errorsMm.size()));
   error.maxMm = error.errorsMm.maxCoeff();

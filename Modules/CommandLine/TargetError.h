@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "Logic/Core/Landmarks.h"
+#include "Logic/Core/Results.h"
 #include "Logic/Core/Types.h"
 
 namespace falciform::commandline {
@@ -25,9 +26,10 @@ struct PairedTargets {
 };
 [[nodiscard]] PairedTargets pairTargets(const Landmarks& targets, const Landmarks& truth);
 
-/// Targets (pre-op mm) through `scanFromPreop` against `truth` (scan mm), paired as pairTargets does.
+/// Targets (pre-op mm) through the registration (its warp, where it has one) against `truth` (scan mm),
+/// paired as pairTargets does.
 [[nodiscard]] TargetError measureTargetError(const Landmarks& targets, const Landmarks& truth,
-                                             const Isometry3d& scanFromPreop,
+                                             const RegistrationResult& registration,
                                              const Isometry3d& scanFromPreopStart);
 
 [[nodiscard]] nlohmann::json toJson(const TargetError& error);
