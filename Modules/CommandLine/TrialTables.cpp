@@ -1,6 +1,5 @@
 #include "Modules/CommandLine/TrialTables.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "Modules/CommandLine/Arguments.h"
@@ -25,9 +24,9 @@ std::string meanAndSpread(const SampleStatistics& s, int decimals = 2) {
   if (s.count == 1) return fixed(s.mean, decimals);
   if (s.sd >= std::pow(10.0, -decimals) || s.sd == 0)
     return fixed(s.mean, decimals) + " ± " + fixed(s.sd, decimals);
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, s.sd, std::chars_format::scientific, 0).ptr;
-  return fixed(s.mean, decimals) + " ± " + std::string(text, end);
+  const int power = static_cast<int>(std::floor(std::log10(s.sd)));
+  return fixed(s.mean, decimals) + " ± " + fixed(s.sd / std::pow(10.0, power), 0) + "e" +
+         std::to_string(power);
 }
 
 /// A row a method: its name and what `cells` makes of its summary.

@@ -61,7 +61,7 @@ class TrialsCommand : public testing::Test {
     for (std::string& line : lines) line = line.substr(0, line.rfind(',', line.rfind(',') - 1));
     return lines;
   }
-  /// A run of 60 trials, stopped when some of them are done.
+  /// A run of 30 trials, stopped when some of them are done.
   [[nodiscard]] Ran interrupted(const std::string& out) const {
     RunOptions options;
     options.interruptWhen = [&] {
@@ -71,7 +71,7 @@ class TrialsCommand : public testing::Test {
     return falciform(call(out, kLong), options);
   }
 
-  const std::vector<std::string> kLong{"--methods", "icp", "--count", "60"};
+  const std::vector<std::string> kLong{"--methods", "thesis-phantom/icp", "--count", "30"};
   TemporaryFolder folder_;
   SmallCase truth_;
 };
@@ -128,7 +128,7 @@ TEST_F(TrialsCommand, WithoutTargetsSuccessIsByResidualAndTheGoldStandardIsTheDe
 }
 
 TEST_F(TrialsCommand, RowsAreTheSameForAnyThreadsAndAnyNumberAtOnce) {
-  const std::vector<std::string> basic{"--count", "4", "--methods", "icp,thesis-phantom/picp:1"};
+  const std::vector<std::string> basic{"--count", "2", "--methods", "icp,thesis-phantom/picp:1"};
   const auto run = [&](const std::string& out, std::vector<std::string> more) {
     more.insert(more.end(), basic.begin(), basic.end());
     EXPECT_EQ(falciform(call(out, withTargets(more))).exitCode, 0) << out;
@@ -176,7 +176,7 @@ TEST_F(TrialsCommand, StoppedRunKeepsItsTrialsAndTheSameCommandEndsAsIfNothingHa
   EXPECT_THAT(stopped.err, HasSubstr("the same command goes on"));
   ASSERT_EQ(contentsOf(folder_ / "out").size(), 1u);
   // A run that was killed in the middle of a line is no worse.
-  std::ofstream(at("out/trials.partial.csv"), std::ios::app) << "icp,59,0.12";
+  std::ofstream(at("out/trials.partial.csv"), std::ios::app) << "thesis-phantom/icp,29,0.12";
   // Another seed is not the same command.
   std::vector<std::string> other = call("out", kLong);
   other.insert(other.end(), {"--seed", "2"});

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "Logic/Registration/RegistrationSettings.h"
 #include "Testing/CommandLine/FolderContents.h"
 #include "Testing/Support/TemporaryFolder.h"
 
@@ -44,7 +45,7 @@ TEST(Usage, MistakesAreOneLineWithExitCodeTwo) {
   refused({"import", "a.nii", "--out", out + ".vtp", "--label", "1,,2"}, "--label");
   refused({"import", "a.nii", "--out", out + ".vtp", "--label", "70000"}, "65535");
   refused({"register", "--preop", "a.vtp", "--scan", "b.vtp", "--out", out, "--method", "magic"},
-          "icp, wgf or picp");
+          listOfNames(enumNames(RegistrationMethod{})));
   refused({"register", "--preop", "a.vtp", "--preop", "b.vtp", "--scan", "b.vtp", "--out", out}, "twice");
   refused({"register", "--preop", "a.vtp", "--scan", "b.vtp", "--out", out, "--targets", "t.fcsv"},
           "--truth-targets");
