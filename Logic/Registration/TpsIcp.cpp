@@ -11,7 +11,7 @@ namespace falciform {
 namespace {
 
 constexpr Index kSample = 600;
-constexpr double kStiffest = 1, kSoftest = 1e-3;  // of ThinPlateFit
+constexpr double kStiffest = 1, kSoftest = 3e-2;  // of ThinPlateFit
 constexpr double kSoftening = 0.7;                // per stage
 constexpr int kIterationsPerStage = 5;
 constexpr double kRigidToleranceMm = 0.05;

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "Logic/Registration/ClosestPointTransform.h"
 #include "Logic/Registration/Dirr.h"
 #include "Logic/Registration/NonRigidRegistration.h"
 #include "Logic/Registration/PointRegistration.h"
+#include "Logic/Registration/SurfaceRegistration.h"
 #include "Testing/Regression/UpdateCase.h"
 #include "Testing/Support/RealData.h"
 
@@ -36,15 +39,24 @@ Isometry3d offBy(const Isometry3d& preopFromScan, const Surface& scan, unsigned 
          preopFromScan;
 }
 
-/// Mean target error, mm, from one start.
-using Method = std::function<double(const test::UpdateCase&, const PreparedPreop&, const Isometry3d& start)>;
+/// Mean target errors from one start, mm.
+struct Errors {
+  double whole = 0;
+  double rigidPart = NAN;  ///< of a warp
+};
+using Method = std::function<Errors(const test::UpdateCase&, const PreparedPreop&, const Isometry3d& start)>;
 
-double rigidError(const test::UpdateCase& c, const PatchIcpResult& run) {
-  return targetErrors(c.targetsPreop, c.targetsScanner, run.preopFromScan.inverse()).mean();
+double rigidError(const test::UpdateCase& c, const Isometry3d& scanFromPreop) {
+  return targetErrors(c.targetsPreop, c.targetsScanner, scanFromPreop).mean();
 }
 
-double warpError(const test::UpdateCase& c, const NonRigidResult& found) {
-  return (found.scanFromPreopWarp(c.targetsPreop) - c.targetsScanner).rowwise().norm().mean();
+Errors errorsOf(const test::UpdateCase& c, const PatchIcpResult& run) {
+  return {rigidError(c, run.preopFromScan.inverse())};
+}
+
+Errors errorsOf(const test::UpdateCase& c, const NonRigidResult& found) {
+  return {(found.scanFromPreopWarp(c.targetsPreop) - c.targetsScanner).rowwise().norm().mean(),
+          rigidError(c, found.rigid.preopFromScan.inverse())};
 }
 
 PatchIcpResult icp(const test::UpdateCase& c, const PreparedPreop& preop, const Isometry3d& start) {
@@ -54,70 +66,71 @@ PatchIcpResult icp(const test::UpdateCase& c, const PreparedPreop& preop, const 
   return runPatchIcp(preop.target(), source, settings, start);
 }
 
-std::vector<std::pair<const char*, Method>> methods() {
+std::vector<std::pair<std::string, Method>> methods() {
   using Case = test::UpdateCase;
   using Preop = PreparedPreop;
+  using Pose = Isometry3d;
   return {
       {"start",
-       [](const Case& c, const Preop&, const Isometry3d& start) {
-         return targetErrors(c.targetsPreop, c.targetsScanner, start.inverse()).mean();
-       }},
-      {"icp", [](const Case& c, const Preop& p, const Isometry3d& s) { return rigidError(c, icp(c, p, s)); }},
+       [](const Case& c, const Preop&, const Pose& s) { return Errors{rigidError(c, s.inverse())}; }},
+      {"icp", [](const Case& c, const Preop& p, const Pose& s) { return errorsOf(c, icp(c, p, s)); }},
       {"dirr", [](const Case& c, const Preop& p,
-                  const Isometry3d& s) { return rigidError(c, registerDirr(p, c.scan, {}, s)); }},
-      {"cpt",
-       [](const Case& c, const Preop& p, const Isometry3d& s) {
-         return rigidError(c, registerClosestPointTransform(p, c.scan, {}, s));
-       }},
+                  const Pose& s) { return errorsOf(c, registerDirr(p, c.scan, {}, s)); }},
+      {"cpt", [](const Case& c, const Preop& p,
+                 const Pose& s) { return errorsOf(c, registerClosestPointTransform(p, c.scan, {}, s)); }},
       {"tps", [](const Case& c, const Preop& p,
-                 const Isometry3d& s) { return warpError(c, registerTpsIcp(p, c.scan, {}, s)); }},
-      {"tps, its rigid part",
-       [](const Case& c, const Preop& p, const Isometry3d& s) {
-         return rigidError(c, registerTpsIcp(p, c.scan, {}, s).rigid);
-       }},
+                 const Pose& s) { return errorsOf(c, registerTpsIcp(p, c.scan, {}, s)); }},
       {"rpm", [](const Case& c, const Preop& p,
-                 const Isometry3d& s) { return warpError(c, registerRobustPoints(p, c.scan, {}, s)); }},
-      {"rpm, its rigid part",
-       [](const Case& c, const Preop& p, const Isometry3d& s) {
-         return rigidError(c, registerRobustPoints(p, c.scan, {}, s).rigid);
-       }},
-      {"ours, both patches, no start",
-       [](const Case& c, const Preop& p, const Isometry3d&) {
-         return targetErrors(c.targetsPreop, c.targetsScanner, registerSurfaces(p, c.scan, {}).scanFromPreop)
-             .mean();
+                 const Pose& s) { return errorsOf(c, registerRobustPoints(p, c.scan, {}, s)); }},
+      {"ours: both patches, no start",
+       [](const Case& c, const Preop& p, const Pose&) {
+         return Errors{rigidError(c, registerSurfaces(p, c.scan, {}).scanFromPreop)};
        }},
   };
 }
 
+/// "median (worst)".
+std::string cell(std::vector<double> errors) {
+  std::sort(errors.begin(), errors.end());
+  char text[48];
+  std::snprintf(text, sizeof text, " %.1f (%.1f) |", errors[errors.size() / 2], errors.back());
+  return text;
+}
+
 void printTable(const std::vector<test::UpdateCase>& cases) {
-  std::printf("| method |");
-  for (const auto& c : cases) std::printf(" %s |", c.name.c_str());
-  std::printf(" time |\n|---|");
-  for (std::size_t k = 0; k <= cases.size(); ++k) std::printf("---|");
-  std::printf("\n| *optimal rigid* |");
-  for (const auto& c : cases) std::printf(" *%.1f* |", c.optimalRigidMm);
-  std::printf(" |\n");
+  std::string header = "| method |", rule = "|---|", best = "| *optimal rigid* |";
   std::vector<PreparedPreop> prepared;
-  for (const auto& c : cases) prepared.emplace_back(c.preop);
-  double icpSeconds = 0;
+  for (const auto& c : cases) {
+    char text[32];
+    std::snprintf(text, sizeof text, " *%.1f* |", c.optimalRigidMm);
+    header += " " + c.name + " |";
+    rule += "---|";
+    best += text;
+    prepared.emplace_back(c.preop);
+  }
+  std::printf("%s time |\n%s---|\n%s |\n", header.c_str(), rule.c_str(), best.c_str());
+  double icpSeconds = NAN;
   for (const auto& [name, method] : methods()) {
-    std::printf("| %s |", name);
+    std::string whole = "| " + name + " |", rigidPart = "| " + name + ", its rigid part |";
     double seconds = 0;
+    bool warped = false;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-      const test::UpdateCase& c = cases[k];
-      const Isometry3d best = fitRigid(c.targetsScanner, c.targetsPreop);
-      std::vector<double> errors;
+      const Isometry3d answer = fitRigid(cases[k].targetsScanner, cases[k].targetsPreop);
+      std::vector<double> wholes, rigidParts;
       for (unsigned seed = 1; seed <= kStarts; ++seed) {
         const auto began = std::chrono::steady_clock::now();
-        errors.push_back(method(c, prepared[k], offBy(best, c.scan, seed)));
+        const Errors errors = method(cases[k], prepared[k], offBy(answer, cases[k].scan, seed));
         seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        wholes.push_back(errors.whole);
+        rigidParts.push_back(errors.rigidPart);
       }
-      std::sort(errors.begin(), errors.end());
-      std::printf(" %.1f (%.1f) |", errors[kStarts / 2], errors.back());
-      std::fflush(stdout);
+      warped = !std::isnan(rigidParts.front());
+      whole += cell(wholes);
+      if (warped) rigidPart += cell(rigidParts);
     }
-    if (std::string_view(name) == "icp") icpSeconds = seconds;
-    std::printf(icpSeconds > 0 ? " %.1f |\n" : " |\n", seconds / icpSeconds);
+    if (name == "icp") icpSeconds = seconds;
+    std::printf(std::isnan(icpSeconds) ? "%s |\n" : "%s %.1f |\n", whole.c_str(), seconds / icpSeconds);
+    if (warped) std::printf("%s |\n", rigidPart.c_str());
     std::fflush(stdout);
   }
 }
