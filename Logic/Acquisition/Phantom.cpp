@@ -103,7 +103,9 @@ PhantomCase makePhantomCase(const PhantomPlan& plan, const Progress& progress) {
                onSphere = 0.6 * radius;
   const auto seed = static_cast<std::uint64_t>(plan.phantom.seed);
   const LiverShape liver(plan.liver);
-  const PhantomBody body = placeSpheres(liver, radius, plan.phantom.sphereGapMm, plan.scanner);
+  // Region growing sums two layers of voxels around a sphere and looks at a third: the liver stays beyond.
+  const double gap = std::max(plan.phantom.sphereGapMm, 4 * plan.liver.voxelMm);
+  const PhantomBody body = placeSpheres(liver, radius, gap, plan.scanner);
   PhantomCase made;
   made.trueSpheresCt = spheresOf(body);
   made.targets = insideTargets(liver, placeStructures(liver));

@@ -7,7 +7,7 @@ namespace falciform {
 /// The spheres of the phantom, its CT and how its spheres are pointed at.
 struct PhantomSettings {
   double sphereRadiusMm = 12.7;  ///< one inch across; the thesis does not say
-  double sphereGapMm = 8;        ///< air between liver and spheres, as the scanner sees them
+  double sphereGapMm = 8;  ///< air between liver and spheres, as the scanner sees them; at least 4 voxels
   double ctNoiseHu = 15;
   double clickErrorMm = 3;  ///< SD per axis with which the user points at a sphere before it is located
   int seed = 1;
@@ -17,9 +17,11 @@ template <class Visitor>
 void describe(PhantomSettings& s, Visitor&& field) {
   field(FieldInfo{"sphereRadiusMm", "Sphere radius", "mm", 5, 30, "Of the phantom's seven spheres."},
         s.sphereRadiusMm);
-  field(FieldInfo{"sphereGapMm", "Sphere gap", "mm", 6, 60,
-                  "Air between the phantom's spheres and its liver, as the scanner sees them."},
-        s.sphereGapMm);
+  field(
+      FieldInfo{
+          "sphereGapMm", "Sphere gap", "mm", 6, 60,
+          "Air between the phantom's spheres and its liver, as the scanner sees them; at least 4 voxels."},
+      s.sphereGapMm);
   field(FieldInfo{"ctNoiseHu", "CT noise", "HU", 0, 200, "Standard deviation of the phantom's CT."},
         s.ctNoiseHu);
   field(FieldInfo{"clickErrorMm", "Click error", "mm", 0, 4,
