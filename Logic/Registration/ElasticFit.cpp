@@ -2,7 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "Logic/Core/Parallel.h"
 
@@ -13,13 +15,17 @@ namespace {
 constexpr std::size_t kChunk = 128;   // fixed: sums are formed in one order whatever the number of threads
 constexpr double kPatchScaleMm = 10;  // Welsch scale of the pull to one's own label, at least
 constexpr double kScoreScaleMm = 5;
+// Before the scan has spoken: strains as livers show in surgery, worth so many modes' evidence.
+constexpr double kUsualStrain = 0.012, kUsualCount = 0.3, kLargestStrain = 0.02;
+constexpr double kLeastResidualMm = 0.1, kLargestResidualMm = 4;
 using Unknowns = Eigen::Matrix<double, ElasticModes::kUnknowns, 1>;
 using Rows = Eigen::Matrix<double, ElasticModes::kUnknowns, Eigen::Dynamic>;
 
 /// A scan point and where it belongs: plane residuals for all, and three coordinates for labelled ones.
 struct Match {
-  int point = -1, own = -1;  ///< nearest pre-op point; nearest of the same label, -1: unlabelled
-  double distance = 0, ownDistance = 0;
+  int point = -1,
+      own = -1;  ///< nearest pre-op point; nearest of the same label, -1: unlabelled or there already
+  double distance = 0, ownDistance = 0;  ///< along the normal, signed; to `own`
 };
 
 struct Sums {
@@ -44,11 +50,15 @@ class Fit {
  public:
   Fit(const PreparedPreop& preop, const LabelledSource& scan, const ElasticFitSettings& settings,
       const Isometry3d& start)
-      : preop_(preop), scan_(scan), settings_(settings), pose(start), matches_(scan.labels.size()) {}
+      : preop_(preop), scan_(scan), settings_(settings), pose(start), matches_(scan.labels.size()) {
+    shareCells();
+  }
 
   void match();
   /// Solves for the bending from scratch and moves its rigid part into the pose.
   void step();
+  /// Strain and residual that make what was seen most probable.
+  void learn();
   [[nodiscard]] double rms() const;
   [[nodiscard]] double score() const;
 
@@ -56,18 +66,39 @@ class Fit {
   const LabelledSource& scan_;
   ElasticFitSettings settings_;
   Isometry3d pose;
-  ElasticModes::Coefficients bending = ElasticModes::Coefficients::Zero();
+  ElasticModes::Coefficients bending = settings_.bending;
+  double damping = 1;  ///< share of a step that is made
   [[nodiscard]] ElasticModes::Energy covariance() const {
     return factors_.solve(ElasticModes::Energy::Identity());
   }
   double strain = settings_.strain, residualMm = settings_.residualMm;
 
  private:
+  void shareCells();
   void addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums) const;
   std::vector<Match> matches_;
+  std::vector<int> cells_;      // of each point
+  std::vector<double> shares_;  // of each point in its cell: 1 / count
+  int cellCount_ = 0;
   double scale_ = 1, patchScale_ = 1;
   Eigen::LDLT<ElasticModes::Energy> factors_;
 };
+
+void Fit::shareCells() {
+  std::map<std::array<int, 3>, int> numbers;
+  std::vector<int> counts;
+  for (Index i = 0; i < scan_.points.rows(); ++i) {
+    std::array<int, 3> cell{};
+    for (int a = 0; a < 3; ++a)
+      cell[static_cast<std::size_t>(a)] = static_cast<int>(std::floor(scan_.points(i, a) / settings_.cellMm));
+    const int number = numbers.try_emplace(cell, static_cast<int>(numbers.size())).first->second;
+    cells_.push_back(number);
+    counts.resize(numbers.size());
+    ++counts[static_cast<std::size_t>(number)];
+  }
+  cellCount_ = static_cast<int>(counts.size());
+  for (const int cell : cells_) shares_.push_back(1.0 / counts[static_cast<std::size_t>(cell)]);
+}
 
 void Fit::match() {
   const LabelledTarget& target = preop_.target();
@@ -79,8 +110,9 @@ void Fit::match() {
       const Vector3d at = m.point < 0 ? y : points.row(m.point).transpose();
       const Vector3d straight = y - preop_.modes().displacement(bending, at);
       m.point = target.closest(straight, 0, 1, m.point).index;
-      m.distance = std::abs(preop_.normals().row(m.point).dot((straight.transpose() - points.row(m.point))));
-      if (scan_.labels[i] == 0) continue;
+      m.distance = preop_.normals().row(m.point).dot((straight.transpose() - points.row(m.point)));
+      m.own = -1;
+      if (scan_.labels[i] == 0 || target.labelOf(m.point) == scan_.labels[i]) continue;
       const Neighbour own = target.closestOfLabel(straight, scan_.labels[i]);
       m.own = own.index;
       m.ownDistance = std::sqrt(own.squaredDistance);
@@ -88,7 +120,7 @@ void Fit::match() {
   });
   std::vector<double> distances, own;
   for (const Match& m : matches_) {
-    distances.push_back(m.distance);
+    distances.push_back(std::abs(m.distance));
     if (m.own >= 0) own.push_back(m.ownDistance);
   }
   scale_ = std::max(settings_.robustScaleMm, 3 * medianOf(std::move(distances)));
@@ -104,15 +136,15 @@ void Fit::addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums
     const Match& m = matches_[i];
     const Vector3d y = pose * scan_.points.row(static_cast<Index>(i)).transpose();
     const Vector3d x = points.row(m.point), n = preop_.normals().row(m.point);
-    // The distance to the point itself, not to its plane, tells an outlier beside the surface.
-    const double w = weight * welsch(m.distance, scale_), root = std::sqrt(w);
+    const double share = weight * shares_[i];
+    const double root = std::sqrt(share * welsch(m.distance, scale_));
     const ElasticModes::Monomials phi = preop_.modes().monomials(x);
     for (int k = 0; k < 3; ++k) rows.col(row).segment<kM>(k * kM) = root * n[k] * phi;
     sums.right += root * n.dot(y - x) * rows.col(row);
     ++row;
     if (m.own < 0) continue;
     const Vector3d own = points.row(m.own);
-    const double ownRoot = std::sqrt(weight * settings_.patchWeight * welsch(m.ownDistance, patchScale_));
+    const double ownRoot = std::sqrt(share * settings_.patchWeight * welsch(m.ownDistance, patchScale_));
     const ElasticModes::Monomials ownPhi = preop_.modes().monomials(own);
     for (int k = 0; k < 3; ++k) {
       rows.col(row).segment<kM>(k * kM) = ownRoot * ownPhi;
@@ -125,8 +157,7 @@ void Fit::addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums
 
 void Fit::step() {
   const std::size_t n = matches_.size();
-  const double weight =
-      std::min(settings_.independentSamples / static_cast<double>(n), 1.0) / (residualMm * residualMm);
+  const double weight = 1 / (residualMm * residualMm);
   std::vector<Sums> parts((n + kChunk - 1) / kChunk);
   forEachChunk(n, kChunk, [&](std::size_t begin, std::size_t end) {
     addChunk(begin, end, weight, parts[begin / kChunk]);
@@ -138,11 +169,36 @@ void Fit::step() {
   matrix.diagonal().array() += 1e-12 * matrix.trace();
   factors_.compute(matrix);
   const Unknowns q = factors_.solve(total.right);
-  bending = Eigen::Map<const ElasticModes::Coefficients>(q.data());
+  bending += damping * (Eigen::Map<const ElasticModes::Coefficients>(q.data()) - bending);
   const Isometry3d rigid = preop_.modes().rigidPart(bending);
   bending = preop_.modes().without(rigid, bending);
   pose = rigid.inverse() * pose;
   pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
+}
+
+void Fit::learn() {
+  std::vector<double> sums(static_cast<std::size_t>(cellCount_)), weights(sums.size());
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    const auto cell = static_cast<std::size_t>(cells_[i]);
+    const double weight = shares_[i] * welsch(matches_[i].distance, scale_);
+    sums[cell] += weight * matches_[i].distance;
+    weights[cell] += weight;
+  }
+  double squared = 0, observations = 0;  // a cell counts by the share of it that is no outlier
+  for (std::size_t cell = 0; cell < sums.size(); ++cell) {
+    if (weights[cell] <= 0) continue;
+    squared += sums[cell] * sums[cell] / weights[cell];
+    observations += weights[cell];
+  }
+  const Eigen::Map<const Unknowns> q(bending.data());
+  const ElasticModes::Energy& energy = preop_.modes().energy();
+  const double free = energy.cwiseProduct(covariance()).sum() / (strain * strain);
+  const double determined = std::clamp(ElasticModes::kNonRigid - free, 1.0, double{ElasticModes::kNonRigid});
+  strain =
+      std::sqrt((q.dot(energy * q) + kUsualCount * kUsualStrain * kUsualStrain) / (determined + kUsualCount));
+  strain = std::min(strain, kLargestStrain);
+  residualMm = std::clamp(std::sqrt(squared / std::max(1.0, observations - 6 - determined)), kLeastResidualMm,
+                          kLargestResidualMm);
 }
 
 double Fit::rms() const {
@@ -164,7 +220,7 @@ double Fit::score() const {
     weights += 2;
   }
   const Eigen::Map<const Unknowns> q(bending.data());
-  const double price = q.dot(preop_.modes().energy() * q) / (strain * strain * settings_.independentSamples);
+  const double price = q.dot(preop_.modes().energy() * q) / (strain * strain * cellCount_);
   return sum / weights + price * residualMm * residualMm / (kScoreScaleMm * kScoreScaleMm);
 }
 
@@ -185,8 +241,12 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
     record.patchWeight = settings.patchWeight;
     fit.step();
     fit.match();
+    if (settings.learn) fit.learn();
     record.motionMm = (transformed(corners, fit.pose) - before).rowwise().norm().maxCoeff();
     record.preopFromScan = fit.pose;
+    // Matches that change to and fro would have the fit step to and fro for ever.
+    if (step > 0 && record.motionMm > 0.7 * result.pose.history.back().motionMm)
+      fit.damping = std::max(0.25, 0.7 * fit.damping);
     result.pose.history.push_back(record);
     if (observer) observer(record);
     if (step % 8 == 0) progress.report(static_cast<double>(step) / settings.maxIterations, "settling");

@@ -11,13 +11,16 @@ namespace falciform {
 /// What is assumed of tissue and scan. Lengths mm.
 struct ElasticFitSettings {
   double strain = 0.016;  ///< standard deviation of each mode's root mean strain
-  double residualMm = 2;  ///< what the modes leave unexplained: noise, and bending too local for them
-  double independentSamples = 400;  ///< residuals of neighbouring points are not independent: so many are
-  double robustScaleMm = 8;         ///< Welsch scale, never below 3 median residuals
-  double patchWeight = 1;           ///< of a labelled point's pull to its own label, against the surface's
+  double residualMm = 1;  ///< of a cell's mean residual: what the modes leave unexplained
+  bool learn =
+      false;  ///< strain and residual from the scan itself (evidence, MacKay 1992), from those values
+  double cellMm = 12;  ///< residuals in one cell count as one observation: neighbours are not independent
+  double robustScaleMm = 8;  ///< Welsch scale, never below 3 median residuals
+  double patchWeight = 1;    ///< of the pull of a labelled point outside its label, against the surface's
   int maxIterations = 40;
   double motionToleranceMm = 0.01;
   int firstIteration = 1;  ///< for the records
+  ElasticModes::Coefficients bending = ElasticModes::Coefficients::Zero();  ///< to begin with
 };
 
 struct ElasticFitResult {
@@ -27,13 +30,13 @@ struct ElasticFitResult {
   ElasticModes::Energy covariance =
       ElasticModes::Energy::Zero();  ///< of the coefficients, column-wise stacked
   double score = 0;  ///< robust residual in [0, 1] plus what the bending costs; lower is better
-  double strain = 0, residualMm = 0;
+  double strain = 0, residualMm = 0;  ///< as given or learnt
 };
 
 /// The most probable rigid motion together with a smooth bending (maximum a posteriori; Gauss-Newton on
-/// point-to-plane residuals, with Welsch weights; labelled points are drawn to their own label). Only the
-/// rigid part is the registration: it is that of the whole organ, not of what happens to be seen. Needs
-/// preop.normals(). Deterministic for any number of threads.
+/// point-to-plane residuals, with Welsch weights; a labelled point whose nearest point has another label is
+/// drawn to its own). Only the rigid part is the registration: it is that of the whole organ, not of what
+/// happens to be seen. Needs preop.normals(). Deterministic for any number of threads.
 [[nodiscard]] ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& scan,
                                           const ElasticFitSettings& settings, const Isometry3d& preopFromScan,
                                           const Progress& progress = {},

@@ -16,7 +16,7 @@ namespace falciform {
 namespace {
 
 constexpr Index kSearchPoints = 300, kSearchPerPatch = 60;  // stand for the scan in a search
-constexpr Index kRankPoints = 400, kNearPoints = 1000, kFinishPoints = 4000;  // and in the elastic fit
+constexpr Index kRankPoints = 400, kNearPoints = 1000, kFinishPoints = 6000;  // and in the elastic fit
 constexpr Index kLoopPoints = 2000;  // and in the loop, before the finish
 constexpr std::size_t kRanked = 6;   // so many basins are compared by what the elastic fit makes of them
 
@@ -131,11 +131,13 @@ void finish(const Task& task, const PatchIcpResult& from, const Progress& progre
   ElasticFitResult fit;
   for (const Index points : {kNearPoints, kFinishPoints}) {
     const bool last = points == kFinishPoints;
+    settings.learn = last;
     settings.motionToleranceMm = last ? 0.02 : 0.1;
-    settings.maxIterations = last ? 15 : 25;
+    settings.maxIterations = last ? 30 : 12;
     settings.firstIteration = static_cast<int>(run.history.size()) + 1;
     fit = fitElastic(task.preop, task.part(points), settings, run.preopFromScan,
                      last ? progress.part(0.5, 1) : progress.part(0, 0.5), task.observer);
+    settings.bending = fit.bending;
     fit.pose.history.insert(fit.pose.history.begin(), run.history.begin(), run.history.end());
     run = fit.pose;
   }
