@@ -90,25 +90,33 @@ Isometry3d fitRigidHorn(const Points& source, const Points& target, const Vector
   return motion(Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(), m);
 }
 
-PointRegistrationResult registerPoints(const Landmarks& source, const Landmarks& target) {
+std::string pointRegistrationProblem(const Landmarks& source, const Landmarks& target) {
   const std::size_t n = source.points.size();
   if (n != target.points.size())
-    throw InputError("landmarks: " + std::to_string(n) + " on one side and " +
-                     std::to_string(target.points.size()) + " on the other; give the same points on both");
-  if (n < 3) throw InputError("landmarks: " + std::to_string(n) + " given; a pose needs at least 3 points");
+    return "landmarks: " + std::to_string(n) + " on one side and " + std::to_string(target.points.size()) +
+           " on the other; give the same points on both";
+  if (n < 3) return "landmarks: " + std::to_string(n) + " given; a pose needs at least 3 points";
+  const Points from = positionsOf(source), to = positionsOf(target);
+  if (!from.allFinite() || !to.allFinite())
+    return "landmarks: a coordinate is not a finite number; place the point again";
+  // Below 1 % of the length the rotation about the line is noise: refuse it.
+  for (const Vector3d& spread : {principalSpread(from), principalSpread(to)})
+    if (spread[1] < 0.01 * spread[0] || spread[0] <= 0)
+      return "landmarks: the points lie on one line; add a point off the line";
+  return {};
+}
+
+PointRegistrationResult registerPoints(const Landmarks& source, const Landmarks& target) {
+  if (const std::string problem = pointRegistrationProblem(source, target); !problem.empty())
+    throw InputError(problem);
+  const std::size_t n = source.points.size();
   Landmarks matched = target;
   if (sameNames(source, target))
     for (std::size_t i = 0; i < n; ++i)
       matched.points[i] = *std::find_if(target.points.begin(), target.points.end(),
                                         [&](const Landmark& p) { return p.name == source.points[i].name; });
   const Points from = positionsOf(source), to = positionsOf(matched);
-  if (!from.allFinite() || !to.allFinite())
-    throw InputError("landmarks: a coordinate is not a finite number; place the point again");
-  const Vector3d spread = principalSpread(from), spreadTarget = principalSpread(to);
-  // Below 1 % of the length the rotation about the line is noise: refuse it.
-  if (spread[1] < 0.01 * spread[0] || spreadTarget[1] < 0.01 * spreadTarget[0] || spread[0] <= 0 ||
-      spreadTarget[0] <= 0)
-    throw InputError("landmarks: the points lie on one line; add a point off the line");
+  const Vector3d spread = principalSpread(from);
 
   PointRegistrationResult result;
   result.targetFromSource = fitRigid(from, to);

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "Logic/Core/Landmarks.h"
@@ -27,6 +28,9 @@ struct PointRegistrationResult {
   double fleEstimateMm = 0;           ///< fiducial localisation error, from FRE^2 = (1 - 2/N) FLE^2
   std::vector<std::string> warnings;  ///< ambiguous configurations (a near-symmetric or near-planar set)
 };
+
+/// Why registerPoints would refuse these lists, with the remedy; empty where it would not.
+[[nodiscard]] std::string pointRegistrationProblem(const Landmarks& source, const Landmarks& target);
 
 /// Point-based registration of landmarks, matched by name where all names agree, else by order. Throws
 /// InputError for fewer than 3 points, unequal lists and collinear points.
