@@ -37,6 +37,7 @@ nlohmann::json toJson(const TrialSummary& s, const std::string& name) {
           {"successes_flagged_share", share(s.successesFlagged, s.successes)},
           {"basins", s.basins},
           {"in_largest_basin", s.inLargestBasin},
+          {"same_result_wherever_the_scan_lies", s.alike},
           {"iterations_of_successes", toJson(s.iterationsOfSuccesses)},
           {"time_s", toJson(s.seconds)},
           {"time_of_successes_s", toJson(s.secondsOfSuccesses)},
@@ -51,6 +52,7 @@ nlohmann::json trialSettingsJson(const TrialOutcome& outcome) {
   nlohmann::json methods = nlohmann::json::object();
   for (const TrialMethod& method : outcome.methods) methods[method.name] = settingsToJson(method.settings);
   return {{"trials", trials},
+          {"scan_variation", settingsToJson(outcome.settings.variation)},
           {"scale", settingsToJson(outcome.scale)},
           {"scale_name", outcome.scaleName},
           {"methods", methods}};

@@ -64,6 +64,11 @@ std::string trialSetTable(const TrialOutcome& outcome) {
   table.row({"Translation", "uniform within ± " + each});
   table.row(
       {"Turned about", "the scan's centroid; the scan itself is moved and registered from where it lies"});
+  const ScanVariation& varied = outcome.settings.variation;
+  table.row({"Scan of a trial", fixed(100 * varied.keepShare, 1) + " % of the points, noise " +
+                                    fixed(varied.noiseMm, 2) + " mm an axis, " +
+                                    fixed(100 * varied.outlierShare, 1) + " % outliers, " +
+                                    fixed(100 * varied.mislabelShare, 1) + " % of patch points mislabelled"});
   table.row({"Trials", std::to_string(outcome.settings.count) + " for each method, the same for all"});
   table.row({"Seed", std::to_string(outcome.settings.seed)});
   table.row({"Success", criterion(outcome)});
@@ -119,11 +124,12 @@ std::string trialReportHtml(const TrialOutcome& outcome, const TrialHistograms& 
                                            (targets ? "Tables III.1 and III.2." : "Tables III.5 and III.6.") +
                                            " Residual is fit, not target error.") +
                                  successTable(outcome));
+  const std::string note = alikeNote(outcome);
   body +=
       htmlSection("What that proves",
                   htmlParagraph("Exact intervals (Clopper and Pearson); \"proves at least\" is one-sided, 95 "
                                 "%. Flagged: the registration gave a warning.") +
-                      proofTable(outcome));
+                      proofTable(outcome) + (note.empty() ? "" : htmlParagraph(note)));
   body += htmlSection("Where the trials ended",
                       htmlParagraph("Results that place the surface's outermost points within " +
                                     fixed(outcome.settings.basinMm, 1) +

@@ -70,6 +70,17 @@ std::string proofTable(const TrialOutcome& outcome) {
       });
 }
 
+std::string alikeNote(const TrialOutcome& outcome) {
+  std::string names;
+  for (std::size_t i = 0; i < outcome.methods.size(); ++i)
+    if (outcome.summaries[i].alike) names += (names.empty() ? "" : ", ") + outcome.methods[i].name;
+  if (names.empty()) return "";
+  return names +
+         ": the result is the same to 1e-6 mm wherever the scan lies, so these trials are one experiment, "
+         "and "
+         "their interval tells nothing of another scan; --keep-share or --noise makes trials that differ.";
+}
+
 std::string poseTable(const TrialOutcome& outcome) {
   return methodTable(
       outcome,

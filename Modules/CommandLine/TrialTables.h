@@ -11,6 +11,8 @@ namespace falciform::commandline {
 [[nodiscard]] std::string successTable(const TrialOutcome& outcome);
 /// What the counts prove, and what was flagged.
 [[nodiscard]] std::string proofTable(const TrialOutcome& outcome);
+/// A sentence where a method's trials are one experiment, or nothing.
+[[nodiscard]] std::string alikeNote(const TrialOutcome& outcome);
 /// How many poses the trials ended in, and how many near the gold standard.
 [[nodiscard]] std::string poseTable(const TrialOutcome& outcome);
 /// Median, P95, P99 and largest of target error and residual.

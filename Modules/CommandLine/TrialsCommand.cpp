@@ -11,6 +11,7 @@
 #include "Modules/CommandLine/TrialInputs.h"
 #include "Modules/CommandLine/TrialReport.h"
 #include "Modules/CommandLine/TrialRows.h"
+#include "Modules/CommandLine/TrialTables.h"
 
 namespace falciform::commandline {
 
@@ -45,6 +46,7 @@ void declare(Syntax& syntax) {
               .fallback = "large",
               .group = "Trials"});
   syntax.addSettings(TrialSettings{}, "Trials");
+  syntax.addSettings(ScanVariation{}, "Variation of the scan");
 }
 
 /// What the trials rest on: if any of it changes, those that were done no longer count.
@@ -59,6 +61,7 @@ nlohmann::json basisOf(const TrialOutcome& outcome, const CommandRun& run) {
           {"seed", run.provenance.seed},
           {"scale", settings.at("scale")},
           {"trial setting", trials},
+          {"variation of the scan", settings.at("scan_variation")},
           {"method or setting of it", settings.at("methods")},
           {"gold standard", matrixToJson(outcome.gold.scanFromPreop)}};
 }
@@ -122,6 +125,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   TrialOutcome outcome;
   outcome.methods = parseTrialMethods(arguments.text("methods"));
   outcome.settings = arguments.settings(TrialSettings{});
+  outcome.settings.variation = arguments.settings(ScanVariation{});
   outcome.scale = readTrialScale(arguments.text("scale"), run);
   outcome.scaleName = std::filesystem::path(arguments.text("scale")).filename().string();
   outcome.threads = threads();
@@ -155,6 +159,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.progress.report(0.98, "Writing");
   write(outcome, folder, run);
   tell(outcome, run);
+  if (const std::string note = alikeNote(outcome); !note.empty()) run.say(note);
   run.say("report: " + (folder / "report.html").string());
 }
 

@@ -80,6 +80,7 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
   expectSettingsInHelp<RegistrationSettings>("register");
   expectSettingsInHelp<DistanceSettings>("distance");
   expectSettingsInHelp<TrialSettings>("trials");
+  expectSettingsInHelp<ScanVariation>("trials");
   expectSettingsInHelp<SyntheticLiverSettings>("synthesise");
   expectSettingsInHelp<VirtualScannerSettings>("synthesise");
   for (const char* command : {"run", "demo"}) {

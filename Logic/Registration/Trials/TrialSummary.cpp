@@ -7,6 +7,8 @@ namespace falciform {
 
 namespace {
 
+constexpr double kAlikeMm = 1e-6;  // rounding of a pose that does not depend on where the scan lies
+
 using Chosen = std::vector<const TrialRecord*>;
 
 template <class Value>
@@ -19,6 +21,7 @@ SampleStatistics statisticsOf(const Chosen& records, const Value& value) {
 
 double rms(const TrialRecord& record) { return record.rmsMm; }
 double targetError(const TrialRecord& record) { return record.targetErrorMm; }
+double goldDistance(const TrialRecord& record) { return record.goldDistanceMm; }
 double seconds(const TrialRecord& record) { return record.seconds; }
 
 }  // namespace
@@ -40,6 +43,12 @@ TrialSummary summarise(const std::vector<TrialRecord>& records, const std::vecto
   summary.basins = static_cast<int>(members.size());
   summary.trials = static_cast<Index>(all.size());
   summary.successes = static_cast<Index>(successes.size());
+  const auto rangeOf = [&](auto value) {
+    const SampleStatistics up = statisticsOf(all, value),
+                           down = statisticsOf(all, [&](const TrialRecord&r) { return -value(r); });
+    return up.max + down.max;
+  };
+  summary.alike = all.size() > 1 && rangeOf(rms) < kAlikeMm && rangeOf(goldDistance) < kAlikeMm;
   summary.success = proportionInterval(summary.successes, summary.trials);
   summary.rmsMm = statisticsOf(all, rms);
   summary.rmsOfSuccessesMm = statisticsOf(successes, rms);

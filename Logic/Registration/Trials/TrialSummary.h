@@ -21,6 +21,8 @@ struct TrialSummary {
   Index failuresFlagged = 0, successesFlagged = 0;  ///< with a warning: caught, and cried wolf
   int basins = 0;                                   ///< different poses that the trials ended in
   Index inLargestBasin = 0;
+  bool alike =
+      false;  ///< all results are one to 1e-6 mm wherever the scan lay: the trials are one experiment
 };
 
 /// Of the records of method `method`; `basins` belong to `records` row by row.

@@ -60,9 +60,10 @@ TrialRecord runTrial(const TrialCase& data, const TrialMethod& method, const Tri
   const Isometry3d moved =
       perturbation(scale, settings.distribution, static_cast<std::uint64_t>(settings.seed),
                    static_cast<std::uint64_t>(trial), data.scanCentre);
-  const RegistrationResult result =
-      registerSurfaces(data.preop, transformed(data.scan, moved, data.scan.frame), method.settings,
-                       Isometry3d::Identity(), progress);
+  const Surface scan = variedScan(data.scan, settings.variation, static_cast<std::uint64_t>(settings.seed),
+                                  static_cast<std::uint64_t>(trial));
+  const RegistrationResult result = registerSurfaces(data.preop, transformed(scan, moved, data.scan.frame),
+                                                     method.settings, Isometry3d::Identity(), progress);
   TrialRecord record;
   record.trial = trial;
   record.startRotationDeg = turnDeg(moved);

@@ -5,6 +5,7 @@
 
 #include "Logic/Registration/Trials/GoldStandard.h"
 #include "Logic/Registration/Trials/Perturbations.h"
+#include "Logic/Registration/Trials/ScanVariation.h"
 #include "Logic/Registration/Trials/TrialMethod.h"
 
 namespace falciform {
@@ -18,6 +19,7 @@ struct TrialSettings {
   double basinMm = 5;       ///< poses that place every vertex within this are one basin
   int atOnce = 0;           ///< registrations beside each other; 0: as many as threads
   int seed = 1;
+  ScanVariation variation;  ///< described on its own
 };
 
 template <class Visitor>
@@ -77,8 +79,9 @@ struct TrialRecord {
   double seconds = 0;
 };
 
-/// Registers trial `trial` with one method: the scan itself is moved by the perturbation and registered from
-/// the identity, so that methods that look for a start of their own are tried on different input each time.
+/// Registers trial `trial` with one method: the scan itself, varied, is moved by the perturbation and
+/// registered from the identity, so that methods that look for a start of their own are tried on different
+/// input each time.
 [[nodiscard]] TrialRecord runTrial(const TrialCase& data, const TrialMethod& method, const TrialScale& scale,
                                    const TrialSettings& settings, int trial, const Progress& progress = {});
 

@@ -54,5 +54,17 @@ TEST(TrialSummary, WithoutTargetsOrSuccessesThereIsNoFigure) {
   EXPECT_EQ(s.successes, 0);
 }
 
+TEST(TrialSummary, ResultsThatAreOneToRoundingAreSaidToBeAlike) {
+  const auto alike = [](double rmsMm, double tre) {
+    return summarise({record(0, true, 1, 2, 0, 1, 1), record(0, true, rmsMm, tre, 0, 2, 1)}, {1, 1}, 0, {})
+        .alike;
+  };
+  EXPECT_TRUE(alike(1 + 1e-9, 2 - 1e-9));
+  EXPECT_FALSE(alike(1 + 1e-4, 2));
+  EXPECT_FALSE(alike(1, 2.001));
+  EXPECT_FALSE(
+      summarise({record(0, true, 1, 2, 0, 1, 1)}, {1}, 0, {}).alike);  // one trial alone says nothing
+}
+
 }  // namespace
 }  // namespace falciform

@@ -27,7 +27,7 @@ class Trials : public ::testing::Test {
 
   SmallTrial small_;
   std::vector<TrialMethod> methods_ = parseTrialMethods("thesis-phantom/icp,picp:1+2");
-  TrialSettings settings_{.count = 6, .distribution = TrialDistribution::Uniform, .seed = 3};
+  TrialSettings settings_{.count = 6, .distribution = TrialDistribution::Uniform, .seed = 3, .variation = {}};
 };
 
 void expectSame(const std::vector<TrialRecord>& a, const std::vector<TrialRecord>& b) {
@@ -118,6 +118,17 @@ TEST_F(Trials, ATrialIsTheSameWhateverTheCount) {
   settings_.count = 2;
   const std::vector<TrialRecord> two = run();
   expectSame(two, {six[0], six[1], six[6], six[7]});
+}
+
+TEST_F(Trials, EachTrialHasItsOwnScanWhereVariationIsAskedFor) {
+  settings_.variation = {.keepShare = 0.8, .noiseMm = 0.5};
+  const std::vector<TrialRecord> varied = run();
+  for (std::size_t i = 6; i < 12; ++i) {  // two patches, whose result else may depend on nothing but rounding
+    EXPECT_TRUE(varied[i].success);
+    for (std::size_t k = 6; k < i; ++k) EXPECT_GT(std::abs(varied[i].rmsMm - varied[k].rmsMm), 1e-6);
+  }
+  setThreads(1);
+  expectSame(run(), varied);
 }
 
 TEST_F(Trials, AnInterruptedRunContinuesToTheSameEnd) {
