@@ -2,8 +2,8 @@
 #include <optional>
 
 #include "Logic/Core/Results.h"
-#include "Logic/Registration/PreparedPreop.h"
 #include "Logic/Registration/PatchIcp.h"
+#include "Logic/Registration/PreparedPreop.h"
 
 namespace falciform {
 
