@@ -1,6 +1,7 @@
 #include "Logic/Registration/ElasticFit.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +14,7 @@ namespace falciform {
 namespace {
 
 constexpr std::size_t kChunk = 128;   // fixed: sums are formed in one order whatever the number of threads
+constexpr double kPaintingMm = 3;     // how well a patch's border is painted
 constexpr double kPatchScaleMm = 10;  // Welsch scale of the pull to one's own label, at least
 constexpr double kScoreScaleMm = 5;
 // Before the scan has spoken: strains as livers show in surgery, worth so many modes' evidence.
@@ -23,6 +25,7 @@ using Rows = Eigen::Matrix<double, ElasticModes::kUnknowns, Eigen::Dynamic>;
 
 /// A scan point and where it belongs: plane residuals for all, and three coordinates for labelled ones.
 struct Match {
+  PreparedPreop::Place place{Vector3d::Zero(), Vector3d::Zero()};
   int point = -1,
       own = -1;  ///< nearest pre-op point; nearest of the same label, -1: unlabelled or there already
   double distance = 0, ownDistance = 0;  ///< along the normal, signed; to `own`
@@ -45,10 +48,22 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
+/// The points in their own principal axes, each turned so that the points lean to its positive side: cells
+/// cut there do not depend on the frame that the points came in.
+Points inOwnAxes(const Points& points) {
+  const Points about = points.rowwise() - points.colwise().mean();
+  Eigen::SelfAdjointEigenSolver<Matrix3d> axes;
+  axes.computeDirect(about.transpose() * about);
+  Points own = about * axes.eigenvectors();
+  for (int a = 0; a < 3; ++a)
+    if (own.col(a).array().cube().sum() < 0) own.col(a) *= -1;
+  return own;
+}
+
 /// Everything that one Gauss-Newton step needs, and its state.
 class Fit {
  public:
-  Fit(const PreparedPreop& preop, const LabelledSource& scan, const ElasticFitSettings& settings,
+  Fit(const PreparedPreop& preop, const LabelledSource& scan, const ElasticFitPlan& settings,
       const Isometry3d& start)
       : preop_(preop), scan_(scan), settings_(settings), pose(start), matches_(scan.labels.size()) {
     shareCells();
@@ -64,7 +79,7 @@ class Fit {
 
   const PreparedPreop& preop_;
   const LabelledSource& scan_;
-  ElasticFitSettings settings_;
+  ElasticFitPlan settings_;
   Isometry3d pose;
   ElasticModes::Coefficients bending = settings_.bending;
   double damping = 1;  ///< share of a step that is made
@@ -87,10 +102,11 @@ class Fit {
 void Fit::shareCells() {
   std::map<std::array<int, 3>, int> numbers;
   std::vector<int> counts;
-  for (Index i = 0; i < scan_.points.rows(); ++i) {
+  const Points places = inOwnAxes(scan_.points);
+  for (Index i = 0; i < places.rows(); ++i) {
     std::array<int, 3> cell{};
     for (int a = 0; a < 3; ++a)
-      cell[static_cast<std::size_t>(a)] = static_cast<int>(std::floor(scan_.points(i, a) / settings_.cellMm));
+      cell[static_cast<std::size_t>(a)] = static_cast<int>(std::floor(places(i, a) / settings_.cellMm));
     const int number = numbers.try_emplace(cell, static_cast<int>(numbers.size())).first->second;
     cells_.push_back(number);
     counts.resize(numbers.size());
@@ -102,16 +118,17 @@ void Fit::shareCells() {
 
 void Fit::match() {
   const LabelledTarget& target = preop_.target();
-  const Points& points = target.points();
   forEachChunk(matches_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Match& m = matches_[i];
       const Vector3d y = pose * scan_.points.row(static_cast<Index>(i)).transpose();
-      const Vector3d at = m.point < 0 ? y : points.row(m.point).transpose();
+      const Vector3d at = m.point < 0 ? y : m.place.point;
       const Vector3d straight = y - preop_.modes().displacement(bending, at);
       m.point = target.closest(straight, 0, 1, m.point).index;
-      m.distance = preop_.normals().row(m.point).dot((straight.transpose() - points.row(m.point)));
+      m.place = preop_.placeAround(m.point, straight);
+      m.distance = m.place.normal.dot(straight - m.place.point);
       m.own = -1;
+      m.ownDistance = 0;
       if (scan_.labels[i] == 0 || target.labelOf(m.point) == scan_.labels[i]) continue;
       const Neighbour own = target.closestOfLabel(straight, scan_.labels[i]);
       m.own = own.index;
@@ -119,9 +136,9 @@ void Fit::match() {
     }
   });
   std::vector<double> distances, own;
-  for (const Match& m : matches_) {
-    distances.push_back(std::abs(m.distance));
-    if (m.own >= 0) own.push_back(m.ownDistance);
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    distances.push_back(std::abs(matches_[i].distance));
+    if (scan_.labels[i] > 0) own.push_back(matches_[i].ownDistance);  // 0: there already
   }
   scale_ = std::max(settings_.robustScaleMm, 3 * medianOf(std::move(distances)));
   patchScale_ = std::max(kPatchScaleMm, 3 * medianOf(std::move(own)));
@@ -135,7 +152,7 @@ void Fit::addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums
   for (std::size_t i = begin; i < end; ++i) {
     const Match& m = matches_[i];
     const Vector3d y = pose * scan_.points.row(static_cast<Index>(i)).transpose();
-    const Vector3d x = points.row(m.point), n = preop_.normals().row(m.point);
+    const Vector3d &x = m.place.point, &n = m.place.normal;
     const double share = weight * shares_[i];
     const double root = std::sqrt(share * welsch(m.distance, scale_));
     const ElasticModes::Monomials phi = preop_.modes().monomials(x);
@@ -144,7 +161,8 @@ void Fit::addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums
     ++row;
     if (m.own < 0) continue;
     const Vector3d own = points.row(m.own);
-    const double ownRoot = std::sqrt(share * settings_.patchWeight * welsch(m.ownDistance, patchScale_));
+    const double ownRoot =
+        std::sqrt(shares_[i] * settings_.patchWeight * welsch(m.ownDistance, patchScale_)) / kPaintingMm;
     const ElasticModes::Monomials ownPhi = preop_.modes().monomials(own);
     for (int k = 0; k < 3; ++k) {
       rows.col(row).segment<kM>(k * kM) = ownRoot * ownPhi;
@@ -227,7 +245,7 @@ double Fit::score() const {
 }  // namespace
 
 ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& scan,
-                            const ElasticFitSettings& settings, const Isometry3d& preopFromScan,
+                            const ElasticFitPlan& settings, const Isometry3d& preopFromScan,
                             const Progress& progress, const IterationObserver& observer) {
   Fit fit(preop, scan, settings, preopFromScan);
   ElasticFitResult result;
@@ -235,6 +253,7 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
   fit.match();
   for (int step = 0; step < settings.maxIterations; ++step) {
     const Points before = transformed(corners, fit.pose);
+    const double strainBefore = fit.strain;
     IterationRecord record;
     record.iteration = settings.firstIteration + step;
     record.rmsMm = fit.rms();
@@ -249,8 +268,9 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
       fit.damping = std::max(0.25, 0.7 * fit.damping);
     result.pose.history.push_back(record);
     if (observer) observer(record);
-    if (step % 8 == 0) progress.report(static_cast<double>(step) / settings.maxIterations, "settling");
-    if (record.motionMm < settings.motionToleranceMm) {
+    progress.report(static_cast<double>(step) / settings.maxIterations, "settling");
+    const bool learnt = !settings.learn || std::abs(fit.strain - strainBefore) < 0.1 * strainBefore;
+    if (record.motionMm < settings.motionToleranceMm && learnt) {
       result.pose.converged = true;
       result.pose.stopReason = "nothing moved farther than the tolerance";
       break;

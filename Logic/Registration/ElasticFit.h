@@ -9,7 +9,7 @@
 namespace falciform {
 
 /// What is assumed of tissue and scan. Lengths mm.
-struct ElasticFitSettings {
+struct ElasticFitPlan {
   double strain = 0.016;  ///< standard deviation of each mode's root mean strain
   double residualMm = 1;  ///< of a cell's mean residual: what the modes leave unexplained
   bool learn =
@@ -19,7 +19,7 @@ struct ElasticFitSettings {
   double patchWeight = 1;    ///< of the pull of a labelled point outside its label, against the surface's
   int maxIterations = 40;
   double motionToleranceMm = 0.01;
-  int firstIteration = 1;  ///< for the records
+  int firstIteration = 1;                                                   ///< for the records
   ElasticModes::Coefficients bending = ElasticModes::Coefficients::Zero();  ///< to begin with
 };
 
@@ -38,7 +38,7 @@ struct ElasticFitResult {
 /// drawn to its own). Only the rigid part is the registration: it is that of the whole organ, not of what
 /// happens to be seen. Needs preop.normals(). Deterministic for any number of threads.
 [[nodiscard]] ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& scan,
-                                          const ElasticFitSettings& settings, const Isometry3d& preopFromScan,
+                                          const ElasticFitPlan& settings, const Isometry3d& preopFromScan,
                                           const Progress& progress = {},
                                           const IterationObserver& observer = {});
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "Logic/Core/Surface.h"
+#include "Logic/Geometry/Topology.h"
 #include "Logic/Registration/CoarseAlignment.h"
 #include "Logic/Registration/ElasticModes.h"
 #include "Logic/Registration/LabelledTarget.h"
@@ -24,6 +25,13 @@ class PreparedPreop {
   [[nodiscard]] const VectorXd& areas() const { return areas_; }
 
   [[nodiscard]] const ElasticModes& modes() const { return modes_; }
+  /// A place of the surface and the normal there, as smooth as the points' normals make it.
+  struct Place {
+    Vector3d point, normal;
+  };
+  /// The place nearest to `query` on the triangles around point `near`: the surface's own where `near` is the
+  /// nearest point and triangles are not slivers.
+  [[nodiscard]] Place placeAround(int near, const Vector3d& query) const;
   [[nodiscard]] const CoarseTarget& coarse() const { return coarse_; }
   /// Rows that stand for the surface, spread at random, where a share or a mean need not be exact.
   [[nodiscard]] const std::vector<int>& sample() const { return sample_; }
@@ -32,6 +40,7 @@ class PreparedPreop {
   Surface surface_;
   Points normals_;
   VectorXd areas_;
+  Adjacency trianglesAround_;
   ElasticModes modes_;
   std::vector<int> sample_;
   CoarseTarget coarse_;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kCoverageReachMm = 5;  // a pre-op vertex is covered if a scan point lies this near
 constexpr double kFailedRmsMm = 5;  // the thesis calls a clinical registration above this failed (ch. III)
+constexpr double kExpectedMm = 4;   // mean over the organ; a target error of 5 mm is a failure (ch. III)
 constexpr double kPatchRmsMm = 8;   // its feature errors of good registrations stay below this (Table III.3)
 
 /// Distances of all scan points to the pre-op surface's points, real mm.
@@ -122,6 +123,9 @@ std::vector<std::string> registrationWarnings(const RegistrationResult& result, 
   if (result.rmsMm > kFailedRmsMm)
     warnings.push_back("RMS residual is " + mm(result.rmsMm) + " (above " + mm(kFailedRmsMm) +
                        "): strong deformation, outliers or a wrong pose; look before you trust it");
+  if (result.expectedErrorMeanMm > kExpectedMm)
+    warnings.push_back("expected target error is " + mm(result.expectedErrorMeanMm) +
+                       ": the liver has bent, or too little is seen, for a rigid pose to be trusted nearer");
   for (const auto& [label, rms] : result.patchRmsMm)
     if (rms > kPatchRmsMm)
       warnings.push_back("patch " + patchName(preop, label) + " fits with " + mm(rms) +

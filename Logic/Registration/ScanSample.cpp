@@ -17,12 +17,7 @@ constexpr double kStraggler = 2;         // times the usual spacing
 constexpr double kNeighbourhoodMm = 50;  // what counts as far when orientation is handed on
 constexpr double kSureBulge = 0.25;      // correlation of place and normal; a sphere's cap has 1
 
-struct LocalPlane {
-  Vector3d normal = Vector3d::Zero();
-  double spacing = 0;  ///< distance to the 8th neighbour, mm
-};
-
-LocalPlane planeAt(const Points& points, const KdTree& tree, int row) {
+Vector3d normalAt(const Points& points, const KdTree& tree, int row) {
   const std::vector<Neighbour> near = tree.nearest(Vector3d(points.row(row).transpose()), kNeighbours);
   Vector3d mean = Vector3d::Zero();
   for (const Neighbour& n : near) mean += points.row(n.index).transpose();
@@ -34,8 +29,7 @@ LocalPlane planeAt(const Points& points, const KdTree& tree, int row) {
   }
   Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
   eigen.computeDirect(spread);
-  const auto eighth = std::min<std::size_t>(kSpacingNeighbour, near.size() - 1);
-  return {eigen.eigenvectors().col(0), std::sqrt(near[eighth].squaredDistance)};
+  return eigen.eigenvectors().col(0);
 }
 
 double medianOf(std::vector<double> values) {
@@ -71,6 +65,22 @@ void orientAlike(const Points& points, Points& normals) {
 
 }  // namespace
 
+std::vector<int> withoutStragglers(const Points& points, const KdTree& tree, const std::vector<int>& rows) {
+  std::vector<double> spacings(rows.size());
+  forEachChunk(rows.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3d place = points.row(rows[i]).transpose();
+      spacings[i] = std::sqrt(tree.nearest(place, kSpacingNeighbour + 1).back().squaredDistance);
+    }
+  });
+  if (rows.empty()) return rows;
+  const double usual = medianOf(spacings);
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (spacings[i] <= kStraggler * usual) kept.push_back(rows[i]);
+  return kept;
+}
+
 ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index others, Index perLabel) {
   std::map<int, std::vector<int>> byLabel;
   for (std::size_t i = 0; i < scan.labels.size(); ++i) byLabel[scan.labels[i]].push_back(static_cast<int>(i));
@@ -79,26 +89,15 @@ ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index othe
     for (const int k : randomRows(static_cast<Index>(ids.size()), label > 0 ? perLabel : others))
       rows.push_back(ids[static_cast<std::size_t>(k)]);
 
-  std::vector<LocalPlane> planes(rows.size());
-  forEachChunk(rows.size(), 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) planes[i] = planeAt(scan.points, tree, rows[i]);
-  });
-  std::vector<double> spacings;
-  for (const LocalPlane& plane : planes) spacings.push_back(plane.spacing);
-  const double usual = medianOf(spacings);
-
+  rows = withoutStragglers(scan.points, tree, rows);
   ScanSample sample;
-  std::vector<int> kept;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (planes[i].spacing <= kStraggler * usual) kept.push_back(static_cast<int>(i));
-  sample.points.resize(static_cast<Index>(kept.size()), 3);
-  sample.normals.resize(static_cast<Index>(kept.size()), 3);
-  for (std::size_t k = 0; k < kept.size(); ++k) {
-    const auto from = static_cast<std::size_t>(kept[k]);
-    sample.points.row(static_cast<Index>(k)) = scan.points.row(rows[from]);
-    sample.normals.row(static_cast<Index>(k)) = planes[from].normal;
-    sample.labels.push_back(scan.labels[static_cast<std::size_t>(rows[from])]);
-  }
+  sample.points = rowsOf(scan.points, rows);
+  sample.normals.resize(sample.points.rows(), 3);
+  forEachChunk(rows.size(), 32, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      sample.normals.row(static_cast<Index>(i)) = normalAt(scan.points, tree, rows[i]);
+  });
+  for (const int i : rows) sample.labels.push_back(scan.labels[static_cast<std::size_t>(i)]);
   orientAlike(sample.points, sample.normals);
   const Points about = sample.points.rowwise() - sample.points.colwise().mean();
   const Points turned = sample.normals.rowwise() - sample.normals.colwise().mean();

@@ -16,8 +16,13 @@ struct ScanSample {
   [[nodiscard]] Index size() const { return points.rows(); }
 };
 
-/// About `others` points of no label and at most `perLabel` of each label. A point whose neighbours are twice
-/// as far as usual is left out (smoke, threads, the edge of a retractor). `tree` is over scan.points.
+/// The `rows` of `points` without stragglers: those whose neighbours are twice as far as is usual (smoke,
+/// threads, strewn noise). `tree` is over `points`.
+[[nodiscard]] std::vector<int> withoutStragglers(const Points& points, const KdTree& tree,
+                                                 const std::vector<int>& rows);
+
+/// About `others` points of no label and at most `perLabel` of each label, without stragglers. `tree` is
+/// over scan.points.
 [[nodiscard]] ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index others,
                                     Index perLabel);
 

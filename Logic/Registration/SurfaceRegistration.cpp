@@ -72,12 +72,17 @@ struct Task {
   const Progress& progress;
   const IterationObserver& observer;
   bool elastic = false;
+  std::vector<int> clean{};  ///< rows of the scan that the elastic fits may use
 
   [[nodiscard]] bool painted() const {
     return std::any_of(source.labels.begin(), source.labels.end(), [](int label) { return label > 0; });
   }
+  /// `count` points at random, without stragglers.
   [[nodiscard]] LabelledSource part(Index count) const {
-    return subsetOf(source, randomRows(source.points.rows(), count));
+    std::vector<int> rows;
+    for (const int i : randomRows(static_cast<Index>(clean.size()), count))
+      rows.push_back(clean[static_cast<std::size_t>(i)]);
+    return subsetOf(source, rows);
   }
 };
 
@@ -96,7 +101,7 @@ std::vector<StartPose> search(const Task& task, const Progress& progress) {
   starts.erase(hopeless, starts.end());
   starts.resize(std::min(starts.size(), kRanked));
   const LabelledSource few = task.part(kRankPoints);
-  ElasticFitSettings quick;
+  ElasticFitPlan quick;
   quick.maxIterations = 8;
   quick.motionToleranceMm = 0.1;
   quick.patchWeight = task.settings.weightBase;
@@ -124,7 +129,7 @@ PatchIcpResult loop(const Task& task, const Isometry3d& start, const Progress& p
 
 void finish(const Task& task, const PatchIcpResult& from, const Progress& progress,
             RegistrationResult& result, PatchIcpResult& run) {
-  ElasticFitSettings settings;
+  ElasticFitPlan settings;
   settings.patchWeight = task.settings.weightBase;
   run = from;
   // Few points until little moves, then many for the last tenths.
@@ -162,7 +167,10 @@ RegistrationResult registerSurfaces(const PreparedPreop& preop, const Surface& s
   const bool mesh = preop.surface().triangles.rows() > 0;
   task.elastic = settings.finish == RegistrationFinish::Elastic && mesh &&
                  settings.method != RegistrationMethod::Icp && !isOtherMethod(settings.method);
-  const bool global = mesh && (settings.method == RegistrationMethod::Auto ||
+  if (task.elastic)
+    task.clean = withoutStragglers(scan.points, task.scanTree, randomRows(scan.size(), kFinishPoints));
+  const bool bare = task.elastic && !task.painted() && settings.start == RegistrationStart::Patches;
+  const bool global = mesh && (settings.method == RegistrationMethod::Auto || bare ||
                                (settings.start == RegistrationStart::Patches && task.painted()));
 
   std::vector<StartPose> starts{{scanFromPreopStart.inverse(), 0, 1}};
@@ -190,7 +198,10 @@ RegistrationResult registerSurfaces(const PreparedPreop& preop, const Surface& s
     result.basins.push_back({start.preopFromScan.inverse(), start.score, start.starts});
   result.basins.front().scanFromPreop = result.scanFromPreop;
   fillFigures(result, preop, scan, task.scanTree, task.source, settings, scanFromPreopStart);
-  result.warnings = registrationWarnings(result, preop.surface(), scan, settings);
+  if (bare && settings.method != RegistrationMethod::Auto)
+    result.warnings.push_back("no patch is painted on both sides: the pose was searched on the bare surface");
+  const std::vector<std::string> warnings = registrationWarnings(result, preop.surface(), scan, settings);
+  result.warnings.insert(result.warnings.end(), warnings.begin(), warnings.end());
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   progress.report(1, "registered");
   return result;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "Logic/Geometry/Measures.h"
-#include "Logic/Registration/PoseSearch.h"
 #include "Testing/Logic/Registration/PartialScan.h"
 
 namespace falciform {
@@ -127,23 +126,6 @@ TEST(PatchIcp, CancelStopsIt) {
   const Progress progress([&](double, std::string_view) { stop.request_stop(); }, stop.get_token());
   EXPECT_THROW((void)runPatchIcp(LabelledTarget(body, {}), sourceOf(body), {}, randomMotion(1), 1, progress),
                Cancelled);
-}
-
-TEST(RotationGrid, CoversRotationsEvenly) {
-  // 72 rotations: the farthest rotation from the grid is nearer than 60 deg (found 48 deg by 20,000 random
-  // trials).
-  const std::vector<Matrix3d> grid = rotationGrid(72);
-  double farthest = 0;
-  for (unsigned seed = 0; seed < 3000; ++seed) {
-    const Matrix3d any = randomMotion(seed).linear();
-    double nearest = EIGEN_PI;
-    for (const Matrix3d& r : grid) {
-      EXPECT_NEAR(r.determinant(), 1, 1e-12);
-      nearest = std::min(nearest, Eigen::AngleAxisd(Matrix3d(any.transpose() * r)).angle());
-    }
-    farthest = std::max(farthest, nearest);
-  }
-  EXPECT_LT(farthest * 180 / EIGEN_PI, 60);
 }
 
 }  // namespace
