@@ -18,11 +18,11 @@ pcl::PointCloud<pcl::PointXYZ>::Ptr cloudOf(const Points& points) {
 
 }  // namespace
 
-Isometry3d pclIcp(const Surface& preop, const Surface& scan) {
+Isometry3d pclIcp(const Surface& preop, const Surface& scan, int iterations) {
   pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ, double> icp;
   icp.setInputSource(cloudOf(scan.points));
   icp.setInputTarget(cloudOf(preop.points));
-  icp.setMaximumIterations(1000);
+  icp.setMaximumIterations(iterations);
   icp.setTransformationEpsilon(1e-10);
   icp.setEuclideanFitnessEpsilon(1e-8);
   pcl::PointCloud<pcl::PointXYZ> moved;
