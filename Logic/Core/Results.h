@@ -47,7 +47,7 @@ struct RegistrationResult {
   /// Expected target error, mm, at a place in the pre-op frame: by how much this rigid pose may be off there,
   /// bending included. Empty where the method gives none.
   std::function<double(const Vector3d& preopMm)> expectedTargetErrorMm;
-  double expectedErrorMeanMm = 0;  ///< root of its mean square over the pre-op surface; 0 where there is none
+  double expectedErrorMeanMm = 0;        ///< root of its mean square over the organ; 0 where there is none
   std::optional<RegistrationWarp> warp;  ///< of a non-rigid method; all else here is of its rigid part
   std::map<int, double> patchRmsMm;  ///< per label: scan patch points to the same label of the pre-op surface
   double coverage = 0;       ///< share of the pre-op surface's area within reach of the scan, in [0, 1]

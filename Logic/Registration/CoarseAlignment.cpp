@@ -14,7 +14,7 @@ constexpr float kRobustMm = 10, kScoreScaleMm = 5;
 constexpr float kPointShare = 0.1F;       // point-to-point beside point-to-plane, so that far points pull too
 constexpr float kLeastAgreement = 0.05F;  // weight of a point that faces the wrong way
 constexpr double kLargestTurn = 0.35;     // radians a step
-constexpr double kStillMm = 0.1;
+constexpr double kStillMm = 0.3;
 using Eigen::Vector3f;
 
 struct Pose {

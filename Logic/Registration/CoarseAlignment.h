@@ -20,8 +20,10 @@ class CoarseTarget {
     Eigen::Vector3f point, normal;
   };
   [[nodiscard]] const Place& closest(const Eigen::Vector3f& query) const {
-    return places_[static_cast<std::size_t>(all_.closest(query))];
+    return places_[static_cast<std::size_t>(rowNear(query))];
   }
+  /// Row of a point near `query`: a guess that spares an exact search much of its way.
+  [[nodiscard]] int rowNear(const Eigen::Vector3f& query) const { return all_.closest(query); }
   [[nodiscard]] const Place& closestOf(int label, const Eigen::Vector3f& query) const {
     return places_[static_cast<std::size_t>(labels_.at(label).closest(query))];
   }
@@ -49,7 +51,7 @@ struct CoarsePull {
 
 /// Rigid closest-point alignment for searches: point-to-plane with a little point-to-point, robust. Some ten
 /// microseconds a step for a few hundred points. At most `iterations` steps; stops when nothing moves by
-/// 0.1 mm and the pull has reached its last value.
+/// 0.3 mm and the pull has reached its last value.
 void alignCoarsely(const CoarseTarget& target, const ScanSample& sample, const CoarsePull& pull,
                    int iterations, StartPose& pose);
 

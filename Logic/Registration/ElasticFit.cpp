@@ -124,7 +124,8 @@ void Fit::match() {
       const Vector3d y = pose * scan_.points.row(static_cast<Index>(i)).transpose();
       const Vector3d at = m.point < 0 ? y : m.place.point;
       const Vector3d straight = y - preop_.modes().displacement(bending, at);
-      m.point = target.closest(straight, 0, 1, m.point).index;
+      const int guess = m.point < 0 ? preop_.coarse().rowNear(straight.cast<float>()) : m.point;
+      m.point = target.closest(straight, 0, 1, guess).index;
       m.place = preop_.placeAround(m.point, straight);
       m.distance = m.place.normal.dot(straight - m.place.point);
       m.own = -1;
@@ -301,6 +302,14 @@ std::function<double(const Vector3d&)> expectedTargetError(const ElasticModes& m
     for (int k = 0; k < 3; ++k) squared += phi.dot(posterior->covariance.block<kM, kM>(k * kM, k * kM) * phi);
     return std::sqrt(squared);
   };
+}
+
+double expectedTargetErrorMean(const ElasticModes& modes, const ElasticFitResult& fit) {
+  constexpr int kM = ElasticModes::kMonomials;
+  double squared = std::pow(modes.rootMeanSquare(fit.bending), 2);
+  for (int k = 0; k < 3; ++k)
+    squared += modes.products().cwiseProduct(fit.covariance.block<kM, kM>(k * kM, k * kM)).sum();
+  return std::sqrt(squared);
 }
 
 }  // namespace falciform

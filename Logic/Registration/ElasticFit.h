@@ -47,4 +47,7 @@ struct ElasticFitResult {
 [[nodiscard]] std::function<double(const Vector3d& preopMm)> expectedTargetError(const ElasticModes& modes,
                                                                                  const ElasticFitResult& fit);
 
+/// Root of its mean square over the organ, mm.
+[[nodiscard]] double expectedTargetErrorMean(const ElasticModes& modes, const ElasticFitResult& fit);
+
 }  // namespace falciform

@@ -15,7 +15,7 @@ namespace {
 // A grid of 72 has a covering radius of about 45 deg, well inside the reach of labelled points; a whole
 // surface with no labels needs one of about 28 deg.
 constexpr int kPatchRotations = 72, kSurfaceRotations = 300;
-constexpr std::size_t kRefined = 24;  // at most so many poses are refined on the whole sample
+constexpr std::size_t kRefined = 12;  // at most so many poses are refined on the whole sample
 constexpr Index kQuickPoints = 150;
 constexpr int kFirstSteps = 10;  // then the worse two thirds are given up
 constexpr std::size_t kPromising = 100;

@@ -18,12 +18,14 @@ constexpr double kExpectedMm = 4;   // mean over the organ; a target error of 5 
 constexpr double kPatchRmsMm = 8;   // its feature errors of good registrations stay below this (Table III.3)
 
 /// Distances of all scan points to the pre-op surface's points, real mm.
-std::vector<double> residuals(const LabelledTarget& target, const Points& moved) {
+std::vector<double> residuals(const PreparedPreop& preop, const Points& moved) {
   std::vector<double> distances(static_cast<std::size_t>(moved.rows()));
   forEachChunk(distances.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      distances[i] =
-          std::sqrt(target.closest(moved.row(static_cast<Index>(i)).transpose(), 0, 1).squaredDistance);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3d place = moved.row(static_cast<Index>(i)).transpose();
+      const int guess = preop.coarse().rowNear(place.cast<float>());
+      distances[i] = std::sqrt(preop.target().closest(place, 0, 1, guess).squaredDistance);
+    }
   });
   return distances;
 }
@@ -59,7 +61,7 @@ void fillFigures(RegistrationResult& result, const PreparedPreop& preop, const S
                  const Isometry3d& scanFromPreopStart) {
   const LabelledTarget& target = preop.target();
   const Points moved = transformed(scan.points, result.scanFromPreop.inverse());
-  std::vector<double> distances = residuals(target, moved);
+  std::vector<double> distances = residuals(preop, moved);
   const double lastWeight = result.history.empty() ? 1 : result.history.back().patchWeight;
   double squared = 0, sum = 0, weighted = 0, weights = 0;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -100,11 +102,6 @@ void fillFigures(RegistrationResult& result, const PreparedPreop& preop, const S
   result.translationMm = (change * middle - middle).norm();
   result.scanPoints = scan.size();
   result.preopPoints = preop.surface().size();
-  if (!result.expectedTargetErrorMm) return;
-  double expected = 0;
-  for (const int i : preop.sample())
-    expected += std::pow(result.expectedTargetErrorMm(preop.surface().points.row(i).transpose()), 2);
-  result.expectedErrorMeanMm = std::sqrt(expected / static_cast<double>(preop.sample().size()));
 }
 
 std::vector<std::string> registrationWarnings(const RegistrationResult& result, const Surface& preop,

@@ -13,7 +13,8 @@ namespace falciform {
 namespace {
 
 constexpr int kNeighbours = 24, kSpacingNeighbour = 8;
-constexpr double kStraggler = 2;         // times the usual spacing
+constexpr double kStraggler =
+    3;  // times the usual spacing; grazing parts of a range scan are twice as sparse
 constexpr double kNeighbourhoodMm = 50;  // what counts as far when orientation is handed on
 constexpr double kSureBulge = 0.25;      // correlation of place and normal; a sphere's cap has 1
 

@@ -16,7 +16,7 @@ struct ScanSample {
   [[nodiscard]] Index size() const { return points.rows(); }
 };
 
-/// The `rows` of `points` without stragglers: those whose neighbours are twice as far as is usual (smoke,
+/// The `rows` of `points` without stragglers: those whose neighbours are thrice as far as is usual (smoke,
 /// threads, strewn noise). `tree` is over `points`.
 [[nodiscard]] std::vector<int> withoutStragglers(const Points& points, const KdTree& tree,
                                                  const std::vector<int>& rows);

@@ -16,7 +16,7 @@ namespace falciform {
 namespace {
 
 constexpr Index kSearchPoints = 300, kSearchPerPatch = 60;  // stand for the scan in a search
-constexpr Index kRankPoints = 400, kNearPoints = 1000, kFinishPoints = 6000;  // and in the elastic fit
+constexpr Index kRankPoints = 400, kNearPoints = 1000, kFinishPoints = 4000;  // and in the elastic fit
 constexpr Index kLoopPoints = 2000;  // and in the loop, before the finish
 constexpr std::size_t kRanked = 6;   // so many basins are compared by what the elastic fit makes of them
 
@@ -147,6 +147,7 @@ void finish(const Task& task, const PatchIcpResult& from, const Progress& progre
     run = fit.pose;
   }
   result.expectedTargetErrorMm = expectedTargetError(task.preop.modes(), fit);
+  result.expectedErrorMeanMm = expectedTargetErrorMean(task.preop.modes(), fit);
 }
 
 }  // namespace
