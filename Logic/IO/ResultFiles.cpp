@@ -66,6 +66,8 @@ Json toJson(const RegistrationResult& result) {
           {"p95_mm", numberOrNull(result.p95Mm)},
           {"patch_rms_mm", patches},
           {"coverage", numberOrNull(result.coverage)},
+          {"expected_target_error_mm",
+           result.expectedErrorMeanMm > 0 ? nlohmann::json(result.expectedErrorMeanMm) : nlohmann::json()},
           {"rotation_deg", numberOrNull(result.rotationDeg)},
           {"translation_mm", numberOrNull(result.translationMm)},
           {"iterations", result.iterations},

@@ -77,6 +77,9 @@ void tellRegistration(const RegistrationResult& result, const StartPose& start, 
           " deg, translation " + fixed(result.translationMm, 2) + " mm against " + start.reference + "; " +
           std::to_string(result.iterations) + " iterations, " + std::to_string(result.basins.size()) +
           (result.basins.size() == 1 ? " basin; " : " basins; ") + result.stopReason);
+  if (result.expectedErrorMeanMm > 0)
+    run.say("expected target error of the rigid pose: " + fixed(result.expectedErrorMeanMm, 1) +
+            " mm (root mean square over the liver, bending included)");
   run.say("start: " + start.words);
 }
 

@@ -118,6 +118,9 @@ std::string registrationSection(const CaseOutcome& outcome) {
   for (const auto& [label, rms] : fit.patchRmsMm)
     table.row({"RMS, " + patchName(*outcome.preop, label), fixed(rms, 3), "mm",
                "scan patch to the same patch of the pre-op surface"});
+  if (fit.expectedErrorMeanMm > 0)
+    table.row({"Expected target error", fixed(fit.expectedErrorMeanMm, 1), "mm",
+               "of the rigid pose, bending included: root mean square over the liver"});
   table.row({"Coverage", fixed(100 * fit.coverage, 1), "%",
              "of the pre-op surface's area within reach of the scan"});
   table.row({"Rotation", fixed(fit.rotationDeg, 2), "deg", "against " + outcome.start.reference});

@@ -13,6 +13,7 @@ namespace falciform::commandline {
 struct TargetError {
   std::vector<std::string> names;
   VectorXd errorsMm;
+  VectorXd expectedMm;  ///< as the registration expected them; empty where the method expects nothing
   double meanMm = 0, rmsMm = 0, maxMm = 0;
   double startMeanMm = 0;         ///< before the registration
   double optimalRigidMeanMm = 0;  ///< of the rigid motion fitted to the targets themselves: the rest is
