@@ -28,15 +28,37 @@ double meanTargetError(const test::UpdateCase& c, const RegistrationResult& resu
   return targetErrors(c.targetsPreop, c.targetsScanner, result.scanFromPreop).mean();
 }
 
+RegistrationSettings withoutFinish() {
+  RegistrationSettings settings;
+  settings.finish = RegistrationFinish::None;
+  return settings;
+}
+
+RegistrationSettings automatic() {
+  RegistrationSettings settings;
+  settings.method = RegistrationMethod::Auto;
+  return settings;
+}
+
+/// Mean of what the registration expects at the targets, mm.
+double expectedAtTargets(const test::UpdateCase& c, const RegistrationResult& result) {
+  double sum = 0;
+  for (Index i = 0; i < c.targetsPreop.rows(); ++i)
+    sum += result.expectedTargetErrorMm(c.targetsPreop.row(i).transpose());
+  return sum / static_cast<double>(c.targetsPreop.rows());
+}
+
 void printRow(const test::UpdateCase& c) {
+  const PreparedPreop preop(c.preop);
   const auto error = [&](const RegistrationSettings& settings) {
-    return meanTargetError(c, registerSurfaces(c.preop, c.scan, settings));
+    return meanTargetError(c, registerSurfaces(preop, c.scan, settings));
   };
-  const RegistrationResult both = registerSurfaces(c.preop, c.scan, {});
-  std::printf("| %s | %.0f %% | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %zu |\n", c.name.c_str(),
-              100 * c.coverage, c.optimalRigidMm, error(icpFromTheStoredPose()),
-              error(registrationPreset("thesis-clinical")), error(withPatches({patch::kFalciform})),
-              meanTargetError(c, both), both.rmsMm, both.warnings.size());
+  const RegistrationResult both = registerSurfaces(preop, c.scan, {});
+  std::printf("| %s | %.0f %% | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %.1f | %zu |\n",
+              c.name.c_str(), 100 * c.coverage, c.optimalRigidMm, error(icpFromTheStoredPose()),
+              error(registrationPreset("thesis-clinical")), error(withoutFinish()), error(automatic()),
+              error(withPatches({patch::kFalciform})), meanTargetError(c, both), expectedAtTargets(c, both),
+              both.rmsMm, both.warnings.size());
   std::fflush(stdout);
 }
 
@@ -50,8 +72,9 @@ int main() {
     return 2;
   }
   std::puts(
-      "| case | coverage | optimal rigid | ICP | thesis-clinical | falciform | both patches | RMS, both | "
-      "warnings, both |");
-  std::puts("|---|---|---|---|---|---|---|---|---|");
+      "| case | coverage | optimal rigid | ICP | thesis-clinical | both, no finish | auto | falciform | both "
+      "| "
+      "expected, both | RMS, both | warnings, both |");
+  std::puts("|---|---|---|---|---|---|---|---|---|---|---|---|");
   for (const std::string& name : test::updateCaseNames()) printRow(test::readUpdateCase(name));
 }
