@@ -1,6 +1,7 @@
 #include "Modules/Registration/ResultTable.h"
 
 #include <QHeaderView>
+#include <QResizeEvent>
 #include <cmath>
 
 #include "Widgets/Forms/TableHeight.h"
@@ -15,15 +16,6 @@ QString figure(double value, int decimals, const char* unit) {
 
 QString mm(double value) { return figure(value, 2, " mm"); }
 
-QString basinText(const std::vector<RegistrationBasin>& basins) {
-  if (basins.empty()) return QString::fromUtf8("–");
-  if (basins.size() == 1) return QObject::tr("1 (unique)");
-  return QObject::tr("%1 (score %2, next %3)")
-      .arg(basins.size())
-      .arg(basins[0].score, 0, 'f', 3)
-      .arg(basins[1].score, 0, 'f', 3);
-}
-
 }  // namespace
 
 ResultTable::ResultTable(QWidget* parent) : QTableWidget(0, 2, parent) {
@@ -32,6 +24,7 @@ ResultTable::ResultTable(QWidget* parent) : QTableWidget(0, 2, parent) {
   horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   verticalHeader()->hide();
+  verticalHeader()->setMinimumSectionSize(fontMetrics().height() + 6);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   setSelectionMode(QAbstractItemView::NoSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -50,7 +43,45 @@ void ResultTable::addFigure(const QString& name, const QString& value, const QSt
   setItem(row, 1, right);
 }
 
-void ResultTable::show(const RegistrationResult* result, const Surface* preop) {
+void ResultTable::addHeading(const QString& text, const QString& meaning) {
+  const int row = rowCount();
+  insertRow(row);
+  auto* item = new QTableWidgetItem(text);
+  item->setToolTip(meaning);
+  item->setTextAlignment(Qt::AlignCenter);
+  item->setBackground(palette().button());
+  setItem(row, 0, item);
+  setSpan(row, 0, 1, 2);
+}
+
+void ResultTable::addTargetErrors(const RegistrationResult& result, const Case& document) {
+  const QString meaning =
+      tr("Estimated from how far the liver bent and how well the scan holds it, if this is the right pose: a "
+         "wrong pose is not seen in it. A residual is fit, not target error: the one may be small where the "
+         "other is not.");
+  addHeading(tr("Target error, as expected"), meaning);
+  if (!(result.expectedErrorMeanMm > 0) && !result.expectedTargetErrorMm) {
+    addFigure(
+        tr("Expected target error"), tr("not known"),
+        meaning +
+            tr(" This pose has none: it was not found by the elastic finish, or was read from a file."));
+    return;
+  }
+  addFigure(tr("Expected target error"), mm(result.expectedErrorMeanMm),
+            meaning + tr(" Root mean square over the whole liver."));
+  if (!result.expectedTargetErrorMm) return;
+  for (const auto& [name, surface] : document.structures()) {
+    if (surface->size() == 0) continue;
+    const Vector3d middle = surface->points.colwise().mean();
+    addFigure(QString::fromUtf8("… at %1").arg(QString::fromStdString(name)),
+              mm(result.expectedTargetErrorMm(middle)), meaning + tr(" At the middle of this structure."));
+  }
+}
+
+void ResultTable::show(const Case& document) {
+  const RegistrationResult* result = document.registration().get();
+  const Surface* preop = document.preop().get();
+  clearSpans();
   setRowCount(0);
   setVisible(result != nullptr);
   if (!result) return;
@@ -78,11 +109,27 @@ void ResultTable::show(const RegistrationResult* result, const Surface* preop) {
   addFigure(tr("Stopped because"), QString::fromStdString(result->stopReason),
             QString::fromStdString(result->stopReason));
   addFigure(tr("Converged"), result->converged ? tr("yes") : tr("no"), tr("Whether the stop rule was met"));
-  addFigure(tr("Basins"), basinText(result->basins),
-            tr("Distinct poses that starts led to, with the robust residual (0 to 1, lower is better) of the "
-               "best two; "
-               "close scores mean that the pose is not certain"));
-  addFigure(tr("Time"), figure(result->seconds, 1, " s"), tr("Computing time"));
+  addFigure(
+      tr("Basins"),
+      result->basins.empty() ? QString::fromUtf8("–")
+      : result->basins.size() == 1
+          ? tr("1 (unique)")
+          : tr("%1, next score %2").arg(result->basins.size()).arg(result->basins[1].score, 0, 'f', 3),
+      tr("Distinct poses that starts led to. Score: robust residual, 0 to 1, lower is better; this pose "
+         "has %1. Close scores mean that the pose is not certain")
+          .arg(result->basins.empty() ? QString::fromUtf8("–")
+                                      : QString::number(result->basins[0].score, 'f', 3)));
+  addFigure(tr("Time"), figure(result->seconds, 2, " s"), tr("Computing time"));
+  addTargetErrors(*result, document);
+  resizeRowsToContents();
+  showAllRows(this);
+}
+
+// Long words, such as why it stopped, take as many lines as the panel's width asks for.
+void ResultTable::resizeEvent(QResizeEvent* event) {
+  QTableWidget::resizeEvent(event);
+  if (event->oldSize().width() == event->size().width()) return;
+  resizeRowsToContents();
   showAllRows(this);
 }
 

@@ -1,8 +1,14 @@
 #include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
+#include <QSlider>
+#include <QTableWidget>
 #include <QtTest/QTest>
 #include <cstdio>
+#include <functional>
 
 #include "Modules/Application/Appearance.h"
 #include "Modules/Application/MainWindow.h"
@@ -25,6 +31,49 @@ void waitIdle(Workbench& bench) {
 void press(MainWindow& window, const char* button) {
   auto* found = window.currentPanel()->findChild<QAbstractButton*>(button);
   if (found && found->isEnabled()) found->click();
+}
+
+/// Scrolls the panel so that `name` stands at its top.
+void scrollTo(MainWindow& window, const char* name) {
+  auto* found = window.currentPanel()->findChild<QWidget*>(name);
+  for (QWidget* parent = found; parent; parent = parent->parentWidget())
+    if (auto* scroll = qobject_cast<QScrollArea*>(parent))
+      scroll->verticalScrollBar()->setValue(found->mapTo(scroll->widget(), QPoint(0, 0)).y() - 6);
+  QTest::qWait(100);
+}
+
+/// What the registration panel shows beside its result: figures further down, a replay, other poses, handles.
+void registrationPictures(MainWindow& window, Workbench& bench,
+                          const std::function<void(const QString&)>& save) {
+  scrollTo(window, "beforeAfter");
+  save("Registration_result");
+  auto* slider = window.currentPanel()->findChild<QSlider*>("replayIteration");
+  scrollTo(window, "register");
+  if (slider) slider->setValue(slider->maximum() / 3);
+  save("Registration_replay");
+  press(window, "showBefore");
+  save("Registration_at_start");
+  press(window, "showAfter");
+  auto* method = window.currentPanel()->findChild<QComboBox*>("method");
+  method->setCurrentText("auto");
+  press(window, "register");
+  waitIdle(bench);
+  if (auto* basins = window.currentPanel()->findChild<QTableWidget*>("basins")) basins->selectRow(1);
+  scrollTo(window, "basinGroup");
+  save("Registration_poses");
+  press(window, "backToBest");
+  waitIdle(bench);
+  method->setCurrentText("picp");
+  press(window, "register");
+  waitIdle(bench);
+  press(window, "startFromLandmarks");
+  press(window, "moveByHand");
+  for (const char* step : {"turnZPlus", "turnZPlus", "turnZPlus", "shiftXPlus", "shiftXPlus"})
+    press(window, step);
+  scrollTo(window, "purpose");
+  save("Registration_by_hand");
+  press(window, "resetHandPose");
+  press(window, "startFromLandmarks");
 }
 
 }  // namespace
@@ -82,6 +131,7 @@ int main(int argc, char** argv) {
       waitIdle(bench);
     }
     save(name);
+    if (name == "Registration" && bench.document.registration()) registrationPictures(window, bench, save);
     if (name == "DeformationAnalysis") {
       press(window, "distanceOnScan");
       save(name + "_scan");

@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QtTest/QTest>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "Logic/Core/Errors.h"
@@ -130,6 +131,7 @@ TEST_F(WindowTest, StopKeepsThePoseOfTheLastIterationAndTheCurve) {
   window->showModule("Registration");
   auto* panel = qobject_cast<RegistrationPanel*>(window->currentPanel());
   ASSERT_TRUE(panel);
+  panel->logic().settings.finish = RegistrationFinish::None;
   panel->logic().settings.relaxation = 1e-4;  // the patch weight falls over tens of thousands of iterations
   panel->logic().settings.maxIterations = 100000;
   click("register");
@@ -139,6 +141,8 @@ TEST_F(WindowTest, StopKeepsThePoseOfTheLastIterationAndTheCurve) {
   const auto& kept = bench->document.registration();
   ASSERT_TRUE(kept) << errors.join(" ").toStdString();
   EXPECT_EQ(kept->stopReason, "stopped by the user");
+  EXPECT_TRUE(std::isfinite(kept->coverage)) << "its figures were filled in afterwards";
+  EXPECT_FALSE(kept->patchRmsMm.empty());
   ASSERT_FALSE(kept->history.empty());
   EXPECT_TRUE(kept->scanFromPreop.isApprox(kept->history.back().preopFromScan.inverse(), 1e-12));
   EXPECT_FALSE(bench->view.options().livePreopFromScan.has_value());

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "Widgets/Rendering/BrushRing.h"
-#include "Widgets/Rendering/CameraViews.h"
 #include "Widgets/Rendering/SurfaceGeometry.h"
 
 namespace falciform {
@@ -19,25 +18,6 @@ namespace {
 
 constexpr double kSmallestBrushMm = 0.5, kLargestBrushMm = 60;
 const Vector3d kEraserColour{0.95, 0.95, 0.95};
-
-std::optional<StandardView> viewOfKey(char key) {
-  switch (key) {
-    case 'A':
-      return StandardView::Anterior;
-    case 'P':
-      return StandardView::Posterior;
-    case 'R':
-      return StandardView::Right;
-    case 'L':
-      return StandardView::Left;
-    case 'S':
-      return StandardView::Superior;
-    case 'I':
-      return StandardView::Inferior;
-    default:
-      return std::nullopt;
-  }
-}
 
 }  // namespace
 
@@ -192,22 +172,9 @@ void PaintInteractor::OnKeyPress() {
   Interactor->Render();
 }
 
-// VTK's own keys are left out on purpose: they would quit the program (e, q) or draw wire frames (w).
 void PaintInteractor::OnChar() {
   const char key = Interactor->GetKeyCode();
-  if (key == 'r') {
-    const int* at = Interactor->GetEventPosition();
-    FindPokedRenderer(at[0], at[1]);
-    if (CurrentRenderer) CurrentRenderer->ResetCamera();
-    Interactor->Render();
-  } else if (const auto view = viewOfKey(key)) {
-    const int* at = Interactor->GetEventPosition();
-    FindPokedRenderer(at[0], at[1]);
-    if (CurrentRenderer) setStandardView(CurrentRenderer, *view, sceneFromLps);
-    Interactor->Render();
-  } else if (logic_) {
-    paintKey(key);
-  }
+  if (!navigate(key) && logic_) paintKey(key);
 }
 
 void PaintInteractor::paintKey(char key) {
@@ -241,10 +208,6 @@ void PaintInteractor::changed() {
   showCursor();
   if (onChange) onChange();
   Interactor->Render();
-}
-
-bool PaintInteractor::modifierHeld() const {
-  return Interactor->GetShiftKey() || Interactor->GetControlKey() || Interactor->GetAltKey();
 }
 
 }  // namespace falciform

@@ -1,25 +1,23 @@
 #pragma once
-#include <vtkInteractorStyleTrackballCamera.h>
-
 #include <functional>
 #include <memory>
 #include <optional>
 
 #include "Logic/Patches/PatchPaintingLogic.h"
 #include "Widgets/Rendering/BrushCursorPresenter.h"
+#include "Widgets/Rendering/NavigationInteractor.h"
 #include "Widgets/Rendering/Picking.h"
 #include "Widgets/Rendering/SurfacePresenter.h"
 
 namespace falciform {
 
-/// Mouse and keys in a 3D view. Left rotates, middle or Shift+left pans, right or the wheel zooms, r fits
-/// all, capital A P R L S I are the standard views. While painting, left paints, any modifier with left
-/// navigates, Shift+wheel or + and - size the brush, 1-9 pick the patch, 0 erases, z and y undo and redo, Esc
-/// leaves.
-class PaintInteractor : public vtkInteractorStyleTrackballCamera {
+/// Paints with mouse and keys. While painting, left paints, any modifier with left navigates, Shift+wheel or
+/// + and - size the brush, 1-9 pick the patch, 0 erases, z and y undo and redo, Esc leaves. All else
+/// navigates.
+class PaintInteractor : public NavigationInteractor {
  public:
   static PaintInteractor* New();
-  vtkTypeMacro(PaintInteractor, vtkInteractorStyleTrackballCamera);
+  vtkTypeMacro(PaintInteractor, NavigationInteractor);
   PaintInteractor(const PaintInteractor&) = delete;
   PaintInteractor& operator=(const PaintInteractor&) = delete;
 
@@ -32,8 +30,6 @@ class PaintInteractor : public vtkInteractorStyleTrackballCamera {
 
   std::function<void()> onChange;  ///< labels, brush size or patch changed by mouse or key
   std::function<void()> onLeave;   ///< painting was left by Esc
-  /// Rotation from LPS to the scene, for the standard views.
-  Matrix3d sceneFromLps = Matrix3d::Identity();
 
   void OnMouseMove() override;
   void OnLeftButtonDown() override;
@@ -63,7 +59,6 @@ class PaintInteractor : public vtkInteractorStyleTrackballCamera {
   void scaleBrush(double factor);
   void changed();
   void paintKey(char key);
-  [[nodiscard]] bool modifierHeld() const;
 
   PatchPaintingLogic* logic_ = nullptr;
   SurfacePresenter* presenter_ = nullptr;

@@ -16,4 +16,6 @@ Vector3d patchColour(int label) {
   return palette[place] / 255.0;
 }
 
+Vector3d scanPatchColour(int label) { return 0.45 * patchColour(label) + 0.55 * Vector3d::Ones(); }
+
 }  // namespace falciform

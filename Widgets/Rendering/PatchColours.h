@@ -12,4 +12,7 @@ inline const Vector3d kScanColour{0.74, 0.70, 0.68};  ///< of a scan without col
 /// apart, in an order that stands out on the liver's colour; repeats after the seventh.
 [[nodiscard]] Vector3d patchColour(int label);
 
+/// The same patch on the scan, where both sides are shown: the same hue, much lighter.
+[[nodiscard]] Vector3d scanPatchColour(int label);
+
 }  // namespace falciform

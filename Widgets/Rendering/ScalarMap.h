@@ -19,6 +19,8 @@ struct ScalarMap {
   std::string unit;   ///< "mm"
   double low = -1, high = 1;
   OutOfRange outOfRange = OutOfRange::Grey;
+
+  bool operator==(const ScalarMap&) const = default;
 };
 
 /// Grey of places without a value (NaN), lighter than the grey of values off the scale.

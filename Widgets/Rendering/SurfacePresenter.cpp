@@ -62,13 +62,17 @@ void SurfacePresenter::show(std::shared_ptr<const Surface> surface) {
   applyStyle();
 }
 
+// Views set everything again at each change; a scan that only moves need not be coloured thirty times a
+// second.
 void SurfacePresenter::setStyle(const SurfaceStyle& style) {
+  if (style == style_) return;
   style_ = style;
   recolour();
   applyStyle();
 }
 
 void SurfacePresenter::setScalarMap(const std::optional<ScalarMap>& map) {
+  if (map == map_) return;
   map_ = map;
   recolour();
   applyStyle();

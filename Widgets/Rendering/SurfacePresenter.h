@@ -27,6 +27,8 @@ struct SurfaceStyle {
   bool patches = true;     ///< painted points in their patch's colour
   std::map<int, Vector3d> patchColours = {};  ///< in place of patchColour(label)
   int pointPx = 4;                            ///< size of a cloud's points
+
+  bool operator==(const SurfaceStyle&) const = default;
 };
 
 /// Draws one surface or cloud: plain, in its own colours, with its patches, or by an analysis array.

@@ -3,6 +3,7 @@
 #include <vtkCamera.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "Widgets/Rendering/PictureScenes.h"
 #include "Widgets/Rendering/ScanView.h"
@@ -66,6 +67,8 @@ CaseScene::Wanted CaseScene::wanted() const {
       result.sceneFromScan.matrix() = *options.livePreopFromScan;
     else if (case_.registration() && options.afterRegistration)
       result.sceneFromScan = case_.registration()->scanFromPreop.inverse();
+    else
+      result.sceneFromScan.matrix() = options.startPreopFromScan;
   } else {
     result.scan = case_.scan();
   }
@@ -100,6 +103,9 @@ bool CaseScene::follow() {
     // The other side lies on the coloured one and would hide or tint the colours.
     (onScan ? preopStyle : scanStyle).visible = false;
   }
+  // Of two patches on each other, one must be told from the other.
+  if (now.preop && now.scan)
+    for (const int label : patchLabels(*now.scan)) scanStyle.patchColours[label] = scanPatchColour(label);
   draw(preop_, now.preop, now.sceneFromPreop, now.preopMap, preopStyle);
   draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
   followStructures(!scanAlone());
@@ -115,7 +121,17 @@ bool CaseScene::follow() {
     });
   };
   // A distance map's surfaces are the case's own, moved: no news to the eye.
-  const bool news = fittedDistance_ != now.distance || directedScanAlone_ != scanAlone() ||
+  // A scan that is shown elsewhere must not be lost from sight, and the view returns when it does. Not while
+  // a hand drags it.
+  const bool elsewhere = now.scan && !view_.options().moving && !now.distance &&
+                         !followedScan_.isApprox(now.sceneFromScan, 1e-9);
+  const bool outside = elsewhere && scanOutOfSight();
+  const bool strayed = outside || (elsewhere && fittedWide_);
+  if (elsewhere) {
+    fittedWide_ = outside;
+    followedScan_ = now.sceneFromScan;
+  }
+  const bool news = strayed || fittedDistance_ != now.distance || directedScanAlone_ != scanAlone() ||
                     fittedRegistration_ != case_.registration() ||
                     (!now.distance && !std::all_of(visible.begin(), visible.end(), known));
   if (!now.distance) fitted_ = visible;
@@ -165,14 +181,20 @@ void CaseScene::followTexts(const Wanted& now) {
         case_.registrationStale() && now.preop && now.scan && view_.options().afterRegistration;
     title_.setText(!now.preop && !now.scan && structures_.empty()
                        ? "Open or drop a label map, surface, scan or case"
-                   : view_.options().livePreopFromScan ? "Registering"
+                   : view_.options().livePreopFromScan ? view_.options().liveCaption
                    : outdated                          ? "Registration is out of date"
                                                        : "");
-    std::map<int, std::string> names;
-    for (const auto& surface : {now.preop, now.scan})
-      if (surface)
-        for (const int label : patchLabels(*surface)) names.emplace(label, patchName(*surface, label));
-    for (const auto& [label, name] : names) entries.push_back({patchColour(label), name});
+    const bool both = now.preop && now.scan;
+    for (const auto& surface : {now.preop, now.scan}) {
+      if (!surface) continue;
+      const bool light = both && surface == now.scan;
+      for (const int label : patchLabels(*surface))
+        entries.push_back(
+            {light ? scanPatchColour(label) : patchColour(label), (light  ? "scan: "
+                                                                   : both ? "liver: "
+                                                                          : "") +
+                                                                      patchName(*surface, label)});
+    }
   }
   legend_.show(entries);
   legendLines_ = static_cast<int>(entries.size());
@@ -188,6 +210,21 @@ std::vector<ShownSurface> CaseScene::shown() const {
   add(part::kScan, "Scan", scan_);
   for (const auto& [name, presenter] : structures_) add(part::structure(name), name, *presenter);
   return visible;
+}
+
+bool CaseScene::scanOutOfSight() const {
+  constexpr Index kSample = 200;
+  constexpr double kMostOutside = 0.1;
+  const auto& scan = scan_.surface();
+  if (!scan || scan->size() == 0 || !scene_.renderer()->GetVTKWindow()) return false;
+  const Index stride = std::max<Index>(1, scan->size() / kSample);
+  Index outside = 0, all = 0;
+  for (Index i = 0; i < scan->size(); i += stride, ++all) {
+    Vector3d at = scan_.sceneFromSurface() * scan->points.row(i).transpose();
+    scene_.renderer()->WorldToView(at.x(), at.y(), at.z());
+    if (std::abs(at.x()) > 1 || std::abs(at.y()) > 1) ++outside;
+  }
+  return static_cast<double>(outside) > kMostOutside * static_cast<double>(all);
 }
 
 Matrix3d CaseScene::sceneFromLps() const {

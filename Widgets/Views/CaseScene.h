@@ -51,6 +51,8 @@ class CaseScene {
   [[nodiscard]] bool scanAlone() const { return view_.options().arrangement == Arrangement::ScanOnly; }
   [[nodiscard]] Points shownPoints() const;
   [[nodiscard]] ViewDirection firstDirection() const;
+  /// Whether much of the scan is outside of the view as it stands.
+  [[nodiscard]] bool scanOutOfSight() const;
   void followStructures(bool visible);
   void followLandmarks();
   void followTexts(const Wanted& wanted);
@@ -66,6 +68,8 @@ class CaseScene {
   std::map<std::string, SurfacePresenter*> structures_;
   std::vector<ShownSurface> fitted_;  ///< what was on screen when follow() last asked for a fit
   bool fittedDistance_ = false;
+  Isometry3d followedScan_ = Isometry3d::Identity();  ///< where the last follow() drew the scan
+  bool fittedWide_ = false;                           ///< the last fit was made because it lay outside
   int legendLines_ = 0;
   std::optional<bool> directedScanAlone_;  ///< the frame that the camera's direction belongs to
   std::shared_ptr<const RegistrationResult> fittedRegistration_;

@@ -15,6 +15,7 @@
 #include "Widgets/Rendering/CameraViews.h"
 #include "Widgets/Rendering/PaintInteractor.h"
 #include "Widgets/Rendering/Picking.h"
+#include "Widgets/Rendering/PoseInteractor.h"
 #include "Widgets/Rendering/RenderedImage.h"
 #include "Widgets/Views/CaseScene.h"
 #include "Widgets/Views/DataProbe.h"
@@ -22,7 +23,8 @@
 namespace falciform {
 namespace {
 
-constexpr int kProbeAfterMs = 40;  // the mouse has slowed down
+constexpr int kProbeAfterMs = 40;     // the mouse has slowed down
+constexpr double kHandleShare = 0.4;  // radius of the handles' rings, of the scan's reach
 
 }  // namespace
 
@@ -36,6 +38,8 @@ struct CaseView3D::Parts {
   DataProbe probe;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<PaintInteractor> style;
+  vtkNew<PoseInteractor> mover;
+  std::shared_ptr<const Surface> moved;  // what the mover's handles stand around
   SurfacePresenter* painted = nullptr;
   QVTKOpenGLNativeWidget* canvas = nullptr;
   QLabel* probeText = nullptr;
@@ -87,6 +91,13 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
     parts_->view.edit([](ViewOptions& options) { options.painting = false; });
   };
 
+  parts_->mover->onMove = [this](const Isometry3d& pose) {
+    parts_->view.edit([&](ViewOptions& options) { options.livePreopFromScan = pose.matrix(); });
+  };
+  parts_->mover->onLeave = [this] {
+    parts_->view.edit([](ViewOptions& options) { options.moving = false; });
+  };
+
   parts_->followTimer = new QTimer(this);
   parts_->followTimer->setSingleShot(true);
   connect(parts_->followTimer, &QTimer::timeout, this, &CaseView3D::follow);
@@ -102,6 +113,7 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
 CaseView3D::~CaseView3D() {
   parts_->style->onLeave = nullptr;
   parts_->style->stopPainting();
+  parts_->mover->stopMoving();
   parts_->scene.scene().detach();
 }
 
@@ -146,8 +158,10 @@ void CaseView3D::followSoon() { parts_->followTimer->start(0); }
 
 void CaseView3D::follow() {
   if (parts_->scene.follow()) parts_->fitWanted = true;
-  parts_->style->sceneFromLps = parts_->scene.sceneFromLps();
+  parts_->style->sceneFromLps = parts_->mover->sceneFromLps = parts_->scene.sceneFromLps();
   followPainting();
+  followMoving();
+  parts_->scene.scene().renderer()->ResetCameraClippingRange();  // the scan may lie elsewhere now
   if (parts_->fitWanted && parts_->canvas->isVisible()) {
     parts_->fitWanted = false;
     fit();  // renders
@@ -169,6 +183,27 @@ void CaseView3D::followPainting() {
   parts_->style->stopPainting();
   if (wanted) parts_->style->startPainting(parts_->painting, *wanted, parts_->scene.scene().renderer());
   parts_->canvas->setCursor(wanted ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+void CaseView3D::followMoving() {
+  const ViewOptions& options = parts_->view.options();
+  const std::shared_ptr<const Surface> scan = parts_->scene.scan().surface();
+  const bool wanted = options.moving && options.livePreopFromScan && scan && scan->size() > 0 &&
+                      options.arrangement == Arrangement::Together;
+  PoseInteractor& mover = *parts_->mover;
+  mover.stepMm = options.moveStepMm;
+  mover.stepDeg = options.moveStepDeg;
+  if (wanted && (!mover.moving() || parts_->moved != scan)) {
+    const Vector3d centre = scan->points.colwise().mean();
+    const double reach = (scan->points.rowwise() - centre.transpose()).rowwise().norm().maxCoeff();
+    mover.startMoving(parts_->scene.scene().renderer(), centre, kHandleShare * reach);
+    parts_->moved = scan;
+  }
+  if (wanted) mover.setPose(parts_->scene.scan().sceneFromSurface());
+  if (!wanted) mover.stopMoving();
+  vtkInteractorObserver* style = wanted ? static_cast<vtkInteractorObserver*>(&mover) : parts_->style.Get();
+  if (parts_->window->GetInteractor()->GetInteractorStyle() != style)
+    parts_->window->GetInteractor()->SetInteractorStyle(style);
 }
 
 void CaseView3D::fit() {

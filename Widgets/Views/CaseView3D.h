@@ -10,7 +10,8 @@
 
 namespace falciform {
 
-/// The 3D view of the case: follows Case and ViewState, paints with the mouse, tells what lies under it.
+/// The 3D view of the case: follows Case and ViewState, paints and moves the scan with the
+/// mouse, tells what lies under it.
 /// Needs OpenGL.
 class CaseView3D : public QWidget {
   Q_OBJECT
@@ -39,6 +40,7 @@ class CaseView3D : public QWidget {
   void followSoon();
   void follow();
   void followPainting();
+  void followMoving();
   void probe();
 
   struct Parts;

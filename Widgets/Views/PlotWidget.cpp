@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <cmath>
 
 #include "Widgets/Views/PlotAxis.h"
@@ -46,6 +47,24 @@ void PlotWidget::setEmptyText(const QString& text) {
   update();
 }
 
+// A curve without a name shows its colour beside its axis's title.
+void PlotWidget::drawTitles(QPainter& painter, int line) const {
+  constexpr int kSwatch = 14, kGap = 5, kMargin = 4;
+  for (const bool right : {false, true}) {
+    const auto own = std::find_if(curves_.begin(), curves_.end(), [right](const Curve& curve) {
+      return curve.name.isEmpty() && curve.rightAxis == right;
+    });
+    const int room = own == curves_.end() ? 0 : kSwatch + kGap;
+    const QRectF place(kMargin, 1, width() - 2 * kMargin, line);
+    painter.drawText(place.adjusted(right ? 0 : room, 0, right ? -room : 0, 0),
+                     Qt::AlignVCenter | (right ? Qt::AlignRight : Qt::AlignLeft),
+                     right ? rightTitle_ : leftTitle_);
+    if (room > 0)
+      painter.fillRect(QRectF(right ? place.right() - kSwatch : place.left(), 1 + line / 2.0 - 2, kSwatch, 4),
+                       own->colour);
+  }
+}
+
 void PlotWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -87,7 +106,10 @@ void PlotWidget::paintEvent(QPaintEvent*) {
       width = std::max(width, metrics.horizontalAdvance(PlotAxis::label(tick)));
     return width;
   };
-  const QRectF plot = QRectF(rect()).adjusted(widest(left) + 10, 2 * line + 6,
+  const bool named =
+      std::any_of(bars_.begin(), bars_.end(), [](const Bars& b) { return !b.name.isEmpty(); }) ||
+      std::any_of(curves_.begin(), curves_.end(), [](const Curve& c) { return !c.name.isEmpty(); });
+  const QRectF plot = QRectF(rect()).adjusted(widest(left) + 10, (named ? 2 * line : line) + 8,
                                               right.empty() ? -12 : -(widest(right) + 10), -(2 * line + 8));
   const auto at = [&](double px, double py, const PlotAxis& axis) {
     return QPointF(plot.left() + x.share(px) * plot.width(), plot.bottom() - axis.share(py) * plot.height());
@@ -115,8 +137,7 @@ void PlotWidget::paintEvent(QPaintEvent*) {
                      PlotAxis::label(tick));
   }
   painter.drawText(QRectF(plot.left(), height() - line - 2, plot.width(), line), Qt::AlignCenter, xTitle_);
-  painter.drawText(QRectF(4, 1, width() - 8, line), Qt::AlignLeft | Qt::AlignVCenter, leftTitle_);
-  painter.drawText(QRectF(4, 1, width() - 8, line), Qt::AlignRight | Qt::AlignVCenter, rightTitle_);
+  drawTitles(painter, line);
 
   double legendX = plot.left();
   const auto legend = [&](const QString& name, const QColor& colour) {

@@ -13,7 +13,7 @@ class PlotWidget : public QWidget {
 
  public:
   struct Curve {
-    QString name;
+    QString name;  ///< empty: its axis's title names it
     QColor colour;
     QVector<double> x, y;
     bool rightAxis = false;
@@ -44,6 +44,8 @@ class PlotWidget : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  void drawTitles(QPainter& painter, int line) const;
+
   QString xTitle_, leftTitle_, rightTitle_, emptyText_;
   QVector<Curve> curves_;
   QVector<Bars> bars_;

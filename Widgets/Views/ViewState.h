@@ -35,8 +35,12 @@ enum class Arrangement {
 struct ViewOptions {
   std::map<std::string, PartLook> looks;  ///< what differs from defaultLook()
   Arrangement arrangement = Arrangement::Together;
-  bool afterRegistration = true;              ///< false shows the scan where it was before
-  std::optional<Matrix4d> livePreopFromScan;  ///< pose of a registration that is running
+  bool afterRegistration = true;                       ///< false shows the scan at the start pose
+  Matrix4d startPreopFromScan = Matrix4d::Identity();  ///< where a registration would begin
+  std::optional<Matrix4d> livePreopFromScan;  ///< a pose that is shown before the others, and not stored
+  std::string liveCaption;                    ///< what that pose is
+  bool moving = false;                        ///< handles in the 3D view change that pose
+  double moveStepMm = 5, moveStepDeg = 5;     ///< of a key while moving
   bool distanceShown = false;                 ///< signed distance as colour, where there is a map
   bool distanceOnScan = false;                ///< colours on the scan instead of the liver
   double distanceLimitMm = 10;                ///< colours run from minus this to plus this
