@@ -10,46 +10,44 @@ namespace {
 constexpr int kCoarseStride = 4;  // while the window is sought
 constexpr double kSecondStationDeg = 75;
 
-struct Aim {
-  VirtualScannerSettings scanner;
-  Vector3d lookAt = Vector3d::Zero();
-
-  [[nodiscard]] VirtualScan scan(const Surface& surface, int stride, double window) const {
-    VirtualScannerSettings settings = scanner;
-    settings.stride = stride;
-    settings.windowShare = window;
-    return scanSurface(surface, lookAt, settings);
-  }
-};
-
-Aim drawAim(const Surface& surface, const AimedView& view, int seed, Draws& draws) {
-  Aim aim;
-  aim.scanner.azimuthDeg = draws.uniform(-10, 40);
-  aim.scanner.elevationDeg = draws.uniform(-45, 0);
-  aim.scanner.distanceMm = 900;  // the farther away, the more of a round body is seen
-  aim.scanner.fieldOfViewDeg = 24;
-  aim.scanner.grazingDeg = 85;
-  aim.scanner.noiseMm = view.noiseMm;
-  aim.scanner.seed = seed;
+Station drawStation(const Surface& surface, Draws& draws) {
+  Station station;
+  station.scanner.azimuthDeg = draws.uniform(-10, 40);
+  station.scanner.elevationDeg = draws.uniform(-45, 0);
+  station.scanner.fieldOfViewDeg = 45;  // the whole liver, wherever it is aimed at
+  station.scanner.windowShare = 1;
   for (const int label : {patch::kFalciform, patch::kInferiorRidge}) {
     const std::vector<int> ids = pointsOfPatch(surface, label);
     for (const int i : ids)
-      aim.lookAt += 0.5 / static_cast<double>(ids.size()) * surface.points.row(i).transpose();
+      station.lookAt += 0.5 / static_cast<double>(ids.size()) * surface.points.row(i).transpose();
   }
-  aim.lookAt += 15 * draws.normal3();
-  return aim;
+  station.lookAt += 15 * draws.normal3();
+  return station;
 }
 
-/// The smallest window, to 1 %, for which `coverage(window)` reaches `share`; 1 if none does.
-template <class Coverage>
-double windowFor(double share, Coverage&& coverage) {
+VirtualScan scanOne(const Station& station, const Surface& surface, double noiseMm, int stride, int seed) {
+  VirtualScannerSettings settings = station.scanner;
+  settings.noiseMm = noiseMm;
+  settings.stride = stride;
+  settings.seed = seed;
+  return scanSurface(surface, station.lookAt, settings);
+}
+
+/// Cuts the window of the last station, to 1 %, so that all together see `share`; leaves it open if they do
+/// not. Returns whether they do.
+bool cutWindow(std::vector<Station>& stations, const Surface& surface, double share) {
+  const auto coverage = [&](double window) {
+    stations.back().scanner.windowShare = window;
+    return scanFrom(stations, surface, 0, kCoarseStride, 1).coverage;
+  };
   double low = 0.05, high = 1;
-  if (coverage(high) < share) return high;
+  if (coverage(high) < share) return false;
   while (high - low > 0.01) {
     const double middle = 0.5 * (low + high);
     (coverage(middle) < share ? low : high) = middle;
   }
-  return high;
+  stations.back().scanner.windowShare = high;
+  return true;
 }
 
 /// Both scans, which share the scanner's frame, as one cloud.
@@ -74,18 +72,21 @@ VirtualScan joined(const Surface& surface, const VirtualScan& a, const VirtualSc
 
 }  // namespace
 
-VirtualScan scanAimed(const Surface& surface, const AimedView& view, int seed, Draws& draws) {
-  const Aim aim = drawAim(surface, view, seed, draws);
-  const double window =
-      windowFor(view.visibleShare, [&](double w) { return aim.scan(surface, kCoarseStride, w).coverage; });
-  VirtualScan seen = aim.scan(surface, view.stride, window);
-  if (window < 1 || seen.coverage >= view.visibleShare) return seen;
-  Aim second = aim;
-  second.scanner.azimuthDeg -= kSecondStationDeg;
-  const double more = windowFor(view.visibleShare, [&](double w) {
-    return joined(surface, seen, second.scan(surface, kCoarseStride, w)).coverage;
-  });
-  return joined(surface, seen, second.scan(surface, view.stride, more));
+std::vector<Station> aimStations(const Surface& surface, double visibleShare, Draws& draws) {
+  std::vector<Station> stations{drawStation(surface, draws)};
+  if (cutWindow(stations, surface, visibleShare)) return stations;
+  stations.push_back(stations.front());
+  stations.back().scanner.azimuthDeg -= kSecondStationDeg;
+  cutWindow(stations, surface, visibleShare);
+  return stations;
+}
+
+VirtualScan scanFrom(const std::vector<Station>& stations, const Surface& surface, double noiseMm, int stride,
+                     int seed) {
+  VirtualScan seen = scanOne(stations.front(), surface, noiseMm, stride, seed);
+  for (std::size_t k = 1; k < stations.size(); ++k)
+    seen = joined(surface, seen, scanOne(stations[k], surface, noiseMm, stride, seed));
+  return seen;
 }
 
 }  // namespace falciform::bench

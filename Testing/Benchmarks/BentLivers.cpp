@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kLeastPatchPoints = 30;
 constexpr int kViews = 50;           // drawn at most
+constexpr int kAimStride = 3;        // while aiming
 constexpr double kVariation = 0.15;  // of the shape
 
 Points positions(const Landmarks& landmarks) {
@@ -40,27 +41,32 @@ SyntheticLiver bent(const SyntheticLiver& liver, int seed, double rmsMm) {
 BentLiver::BentLiver(int seed, double bendingRmsMm, double edgeLengthMm)
     : seed_(seed), before_(drawLiver(seed, edgeLengthMm)), after_(bent(before_, seed, bendingRmsMm)) {}
 
-BenchCase BentLiver::seen(const AimedView& view) const {
+std::vector<Station> BentLiver::aim(double visibleShare) const {
   Draws draws(static_cast<std::uint64_t>(seed_), 11);
   for (int attempt = 0; attempt < kViews; ++attempt) {
-    VirtualScan scan = scanAimed(after_.surface, view, seed_, draws);
-    if (pointsOfPatch(scan.scan, patch::kFalciform).size() < kLeastPatchPoints ||
-        pointsOfPatch(scan.scan, patch::kInferiorRidge).size() < kLeastPatchPoints)
-      continue;
-    BenchCase c;
-    c.name = "bent liver " + std::to_string(seed_);
-    c.preop = before_.surface;
-    c.scan = std::move(scan.scan);
-    c.targetsPreop = positions(before_.targets);
-    c.targetsScan = transformed(positions(after_.targets), scan.scanFromPreop);
-    c.bestRigid = fitRigid(c.targetsPreop, c.targetsScan);
-    c.optimalMm = targetErrorMm(c, c.bestRigid);
-    c.limitMm = 1.4 * c.optimalMm + 1;
-    c.coverage = scan.coverage;
-    addNormals(c);
-    return c;
+    std::vector<Station> stations = aimStations(after_.surface, visibleShare, draws);
+    const Surface scan = scanFrom(stations, after_.surface, 0, kAimStride, seed_).scan;
+    if (pointsOfPatch(scan, patch::kFalciform).size() >= kLeastPatchPoints &&
+        pointsOfPatch(scan, patch::kInferiorRidge).size() >= kLeastPatchPoints)
+      return stations;
   }
   throw std::runtime_error("no view of liver " + std::to_string(seed_) + " shows both patches");
+}
+
+BenchCase BentLiver::seen(const std::vector<Station>& stations, double noiseMm, int stride) const {
+  VirtualScan scan = scanFrom(stations, after_.surface, noiseMm, stride, seed_);
+  BenchCase c;
+  c.name = "bent liver " + std::to_string(seed_);
+  c.preop = before_.surface;
+  c.scan = std::move(scan.scan);
+  c.targetsPreop = positions(before_.targets);
+  c.targetsScan = transformed(positions(after_.targets), scan.scanFromPreop);
+  c.bestRigid = fitRigid(c.targetsPreop, c.targetsScan);
+  c.optimalMm = targetErrorMm(c, c.bestRigid);
+  c.limitMm = 1.4 * c.optimalMm + 1;
+  c.coverage = scan.coverage;
+  addNormals(c);
+  return c;
 }
 
 }  // namespace falciform::bench

@@ -12,9 +12,11 @@ class BentLiver {
   BentLiver(int seed, double bendingRmsMm, double edgeLengthMm);
 
   [[nodiscard]] const Surface& preop() const { return before_.surface; }
-  /// A scan of it (AimedScan.h), drawn anew until at least 30 points of each patch are in view, as a user
-  /// would aim it. Targets: those inside the liver. Success: 1.4 x optimal + 1 mm.
-  [[nodiscard]] BenchCase seen(const AimedView& view) const;
+  /// Stations that see `visibleShare` of it (AimedScan.h), drawn anew until at least 30 points of each patch
+  /// are in view, as a user would aim.
+  [[nodiscard]] std::vector<Station> aim(double visibleShare) const;
+  /// What is seen from there. Targets: those inside the liver. Success: 1.4 x optimal + 1 mm.
+  [[nodiscard]] BenchCase seen(const std::vector<Station>& stations, double noiseMm, int stride = 3) const;
 
  private:
   int seed_;

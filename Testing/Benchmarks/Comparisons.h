@@ -13,7 +13,7 @@ void comparePreparation(const BenchCase& c);
 /// One iteration of the closest-point loop: a run of 11 iterations less a run of 1, over 10.
 void compareIterations(const BenchCase& c);
 /// Whole registrations from any pose, and closest points alone from near. `slowPeers`: starts given to VTK's
-/// and PCL's ICP, which take seconds each.
+/// and PCL's ICP, which take half a minute each from afar; with 1 they get none from afar.
 void compareRegistrations(const BenchCase& c, int slowPeers);
 
 }  // namespace falciform::bench

@@ -59,7 +59,10 @@ void printHardSynthetic(int cases, bool details) {
   [[maybe_unused]] Tally ransac, fgr;
   std::vector<double> optimal, coverage;
   for (int seed = 1; seed <= cases; ++seed) {
-    const BenchCase c = BentLiver(seed, kBendingMm, kEdgeMm).seen({kNoiseMm, kVisible, 2});
+    const BenchCase c = [&] {
+      const BentLiver liver(seed, kBendingMm, kEdgeMm);
+      return liver.seen(liver.aim(kVisible), kNoiseMm, 2);
+    }();
     optimal.push_back(c.optimalMm);
     coverage.push_back(c.coverage);
     const PreparedPreop preop(c.preop);
@@ -95,6 +98,7 @@ void printHardSynthetic(int cases, bool details) {
   printRow("Open3D FPFH + FGR + ICP", fgr, false);
 #endif
   std::puts("");
+  std::fflush(stdout);
 }
 
 }  // namespace falciform::bench

@@ -25,24 +25,24 @@ Row perIteration(const std::string& who, Run&& run) {
   return row;
 }
 
+template <class Run>
+Row repeated(const std::string& who, Run&& run) {
+  Row row{who, {}, false};
+  for (int repeat = 0; repeat < kRuns; ++repeat) {
+    const Spent spent = measured(run);
+    row.tally.addTime(spent.wallMs, spent.cpuMs);
+  }
+  return row;
+}
+
 }  // namespace
 
 void comparePreparation(const BenchCase& c) {
-  Row ours{"ours", {}, false};
-  for (int run = 0; run < kRuns; ++run) {
-    const Spent spent = measured([&] { const PreparedPreop made(c.preop); });
-    ours.tally.addTime(spent.wallMs, spent.cpuMs);
-  }
-  std::vector<Row> rows{ours};
+  Comparison table(c.name + ": preparing the pre-op side");
 #ifdef FALCIFORM_BENCH_OPEN3D
-  Row open3d{"Open3D", {}, false};
-  for (int run = 0; run < kRuns; ++run) {
-    const Spent spent = measured([&] { const Open3dTarget made(c.preop); });
-    open3d.tally.addTime(spent.wallMs, spent.cpuMs);
-  }
-  rows.push_back(open3d);
+  table.print(repeated("Open3D", [&] { const Open3dTarget made(c.preop); }));
 #endif
-  printRows(c.name + ": preparing the pre-op side", rows, "Open3D");
+  table.print(repeated("ours", [&] { const PreparedPreop made(c.preop); }));
 }
 
 void compareIterations(const BenchCase& c) {
@@ -50,24 +50,24 @@ void compareIterations(const BenchCase& c) {
   const Isometry3d start =
       c.bestRigid.inverse() * Eigen::Translation3d(9, -9, 9) * Eigen::AngleAxisd(0.17, Vector3d::UnitX());
   const Surface near = transformed(c.scan, start, "start");
+  Comparison table(c.name + ": one iteration");
+#ifdef FALCIFORM_BENCH_OPEN3D
+  const Open3dTarget target(c.preop);
+  table.print(perIteration("Open3D, to planes",
+                           [&](int k) { (void)target.icp(near, Isometry3d::Identity(), k, 30); }));
+#endif
+#ifdef FALCIFORM_BENCH_PCL
+  table.print(perIteration("PCL", [&](int k) { (void)pclIcp(c.preop, near, k); }));
+#endif
+  table.print(perIteration("VTK, 2,000 points to triangles", [&](int k) { (void)vtkIcp(c.preop, near, k); }));
   RegistrationSettings settings;
   settings.method = RegistrationMethod::Icp;
   settings.motionToleranceMm = 1e-9;  // so that it does not stop before
   const LabelledSource source{near.points, std::vector<int>(static_cast<std::size_t>(near.size()), 0)};
-  std::vector<Row> rows{perIteration("ours", [&](int k) {
+  table.print(perIteration("ours", [&](int k) {
     settings.maxIterations = k;
     (void)runPatchIcp(preop.target(), source, settings, Isometry3d::Identity());
-  })};
-  rows.push_back(perIteration("VTK", [&](int k) { (void)vtkIcp(c.preop, near, k); }));
-#ifdef FALCIFORM_BENCH_PCL
-  rows.push_back(perIteration("PCL", [&](int k) { (void)pclIcp(c.preop, near, k); }));
-#endif
-#ifdef FALCIFORM_BENCH_OPEN3D
-  const Open3dTarget target(c.preop);
-  rows.push_back(
-      perIteration("Open3D", [&](int k) { (void)target.icp(near, Isometry3d::Identity(), k, 30); }));
-#endif
-  printRows(c.name + ": one iteration", rows, "Open3D");
+  }));
 }
 
 }  // namespace falciform::bench

@@ -79,10 +79,10 @@ void compareNeighbours(const BenchCase& c) {
   std::iota(all.begin(), all.end(), 0);
   const ClosestPointGrid grid(points, all, kCellMm, kMarginMm);
   const std::vector<std::pair<std::string, Search>> searches{
+      {"FLANN", [&](const Points& q, std::vector<int>& rows) { flann.nearest(q, rows); }},
       {"ours, exact tree", chunked([&](const Vector3d& q) { return tree.nearest(q).index; })},
       {"ours, map of closest points",
        chunked([&](const Vector3d& q) { return grid.closest(q.cast<float>()); })},
-      {"FLANN", [&](const Points& q, std::vector<int>& rows) { flann.nearest(q, rows); }},
       {"vtkStaticPointLocator", [&](const Points& q, std::vector<int>& rows) { vtk.nearest(q, rows); }},
   };
   for (const double offMm : {0.0, 100.0})
@@ -92,12 +92,10 @@ void compareNeighbours(const BenchCase& c) {
       pose.pretranslate(Vector3d(offMm, 0, 0));
       const Points queries = transformed(c.scan.points, pose);
       std::vector<int> exact(static_cast<std::size_t>(queries.rows()));
-      searches.front().second(queries, exact);
-      std::vector<Row> rows;
-      for (const auto& [who, search] : searches) rows.push_back(timed(who, search, points, queries, exact));
-      printRows(c.name + ": neighbours, " + (offMm > 0 ? "100 mm off" : "at the answer") + ", " +
-                    std::to_string(count) + (count > 1 ? " threads" : " thread"),
-                rows, "FLANN");
+      searches.front().second(queries, exact);  // exact but for ties
+      Comparison table(c.name + ": neighbours, " + (offMm > 0 ? "100 mm off" : "at the answer") + ", " +
+                       std::to_string(count) + (count > 1 ? " threads" : " thread"));
+      for (const auto& [who, search] : searches) table.print(timed(who, search, points, queries, exact));
     }
   setThreads(0);
 }

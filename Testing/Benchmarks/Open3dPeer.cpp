@@ -18,8 +18,7 @@ namespace {
 namespace geometry = open3d::geometry;
 namespace registration = open3d::pipelines::registration;
 
-constexpr double kVoxelMm = 5;
-constexpr double kIcpReachMm = 1.5 * kVoxelMm;
+constexpr double kIcpReachMm = 7.5;
 
 geometry::PointCloud cloudOf(const Points& points, const Points& normals) {
   geometry::PointCloud cloud;
@@ -34,12 +33,12 @@ struct Prepared {
   std::shared_ptr<registration::Feature> feature;
 };
 
-Prepared prepare(const geometry::PointCloud& all) {
+Prepared prepare(const geometry::PointCloud& all, double voxelMm) {
   Prepared prepared;
-  prepared.cloud = all.VoxelDownSample(kVoxelMm);
-  prepared.cloud->EstimateNormals(geometry::KDTreeSearchParamHybrid(2 * kVoxelMm, 30));
+  prepared.cloud = all.VoxelDownSample(voxelMm);
+  prepared.cloud->EstimateNormals(geometry::KDTreeSearchParamHybrid(2 * voxelMm, 30));
   prepared.feature =
-      registration::ComputeFPFHFeature(*prepared.cloud, geometry::KDTreeSearchParamHybrid(5 * kVoxelMm, 100));
+      registration::ComputeFPFHFeature(*prepared.cloud, geometry::KDTreeSearchParamHybrid(5 * voxelMm, 100));
   return prepared;
 }
 
@@ -54,11 +53,11 @@ struct Open3dTarget::Clouds {
   Prepared coarse;
 };
 
-Open3dTarget::Open3dTarget(const Surface& preop) {
+Open3dTarget::Open3dTarget(const Surface& preop, double voxelMm) : voxelMm_(voxelMm) {
   open3d::utility::SetVerbosityLevel(open3d::utility::VerbosityLevel::Error);
   auto clouds = std::make_unique<Clouds>();
   clouds->all = cloudOf(preop.points, vertexNormals(preop));
-  clouds->coarse = prepare(clouds->all);
+  clouds->coarse = prepare(clouds->all, voxelMm_);
   clouds_ = std::move(clouds);
 }
 
@@ -66,8 +65,8 @@ Open3dTarget::~Open3dTarget() = default;
 
 Isometry3d Open3dTarget::ransac(const Surface& scan, int seed) const {
   open3d::utility::random::Seed(seed);
-  const Prepared source = prepare(cloudOf(scan.points, scan.normals));
-  const double reach = 1.5 * kVoxelMm;
+  const Prepared source = prepare(cloudOf(scan.points, scan.normals), voxelMm_);
+  const double reach = 1.5 * voxelMm_;
   const registration::CorrespondenceCheckerBasedOnEdgeLength edges(0.9);
   const registration::CorrespondenceCheckerBasedOnDistance distances(reach);
   const auto found = registration::RegistrationRANSACBasedOnFeatureMatching(
@@ -78,9 +77,9 @@ Isometry3d Open3dTarget::ransac(const Surface& scan, int seed) const {
 }
 
 Isometry3d Open3dTarget::fgr(const Surface& scan) const {
-  const Prepared source = prepare(cloudOf(scan.points, scan.normals));
+  const Prepared source = prepare(cloudOf(scan.points, scan.normals), voxelMm_);
   registration::FastGlobalRegistrationOption option;
-  option.maximum_correspondence_distance_ = 0.5 * kVoxelMm;
+  option.maximum_correspondence_distance_ = 0.5 * voxelMm_;
   const auto found = registration::FastGlobalRegistrationBasedOnFeatureMatching(
       *source.cloud, *clouds_->coarse.cloud, *source.feature, *clouds_->coarse.feature, option);
   return icp(scan, poseOf(found), 30, kIcpReachMm);

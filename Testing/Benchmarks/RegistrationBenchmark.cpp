@@ -51,5 +51,5 @@ int main() {
   std::puts("");
   printHead();
   compareNeighbours(cases.front());
-  for (std::size_t k = 0; k < cases.size(); ++k) compareAll(cases[k], k == 0 ? 5 : 1);
+  for (std::size_t k = 0; k < cases.size(); ++k) compareAll(cases[k], k == 0 ? 3 : 1);
 }

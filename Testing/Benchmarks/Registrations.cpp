@@ -60,41 +60,44 @@ Row timed(const std::string& who, const BenchCase& c, int poses, bool near, cons
 
 void compareRegistrations(const BenchCase& c, int slowPeers) {
   const PreparedPreop preop(c.preop);
-  std::vector<Row> rows;
-  for (const OurMethod& ours : ourMethods())
-    rows.push_back(timed(ours.name, c, kPoses, false, [&](const Surface& moved, int) {
-      return registerSurfaces(preop, moved, ours.settings).scanFromPreop.inverse();
-    }));
+  const Method vtk = [&](const Surface& moved, int) { return vtkIcp(c.preop, moved); };
+  Comparison anyPose(c.name + ": from any pose");
 #ifdef FALCIFORM_BENCH_OPEN3D
   const Open3dTarget target(c.preop);
-  rows.push_back(timed("Open3D FPFH + RANSAC + ICP", c, kPeerPoses, false,
-                       [&](const Surface& moved, int pose) { return target.ransac(moved, pose); }));
-  rows.push_back(timed("Open3D FPFH + FGR + ICP", c, kPeerPoses, false,
-                       [&](const Surface& moved, int) { return target.fgr(moved); }));
+  anyPose.print(timed("Open3D FPFH + RANSAC + ICP", c, kPeerPoses, false,
+                      [&](const Surface& moved, int pose) { return target.ransac(moved, pose); }));
+  const Open3dTarget fine(c.preop, 3);
+  anyPose.print(timed("the same, voxels of 3 mm, not 5", c, kPeerPoses, false,
+                      [&](const Surface& moved, int pose) { return fine.ransac(moved, pose); }));
+  anyPose.print(timed("Open3D FPFH + FGR + ICP", c, kPeerPoses, false,
+                      [&](const Surface& moved, int) { return target.fgr(moved); }));
 #endif
-  const Method vtk = [&](const Surface& moved, int) { return vtkIcp(c.preop, moved); };
-  rows.push_back(timed("VTK ICP", c, slowPeers, false, vtk));
+  for (const OurMethod& ours : ourMethods())
+    anyPose.print(timed(ours.name, c, kPoses, false, [&](const Surface& moved, int) {
+      return registerSurfaces(preop, moved, ours.settings).scanFromPreop.inverse();
+    }));
+  const int slowAnyPose = slowPeers > 1 ? slowPeers : 0;
+  if (slowAnyPose > 0) anyPose.print(timed("VTK ICP", c, slowAnyPose, false, vtk));
 #ifdef FALCIFORM_BENCH_PCL
   const Method pcl = [&](const Surface& moved, int) { return pclIcp(c.preop, moved); };
-  rows.push_back(timed("PCL ICP", c, slowPeers, false, pcl));
+  if (slowAnyPose > 0) anyPose.print(timed("PCL ICP", c, slowAnyPose, false, pcl));
 #endif
-  printRows(c.name + ": from any pose", rows, "Open3D FPFH + RANSAC + ICP");
 
-  RegistrationSettings icp;
-  icp.method = RegistrationMethod::Icp;
-  rows = {timed("ours, ICP", c, kPeerPoses, true, [&](const Surface& moved, int) {
-    return registerSurfaces(preop, moved, icp).scanFromPreop.inverse();
-  })};
-  rows.push_back(timed("VTK ICP", c, slowPeers, true, vtk));
-#ifdef FALCIFORM_BENCH_PCL
-  rows.push_back(timed("PCL ICP", c, slowPeers, true, pcl));
-#endif
+  Comparison near(c.name + ": from 10 deg, 15 mm off");
 #ifdef FALCIFORM_BENCH_OPEN3D
-  rows.push_back(timed("Open3D point-to-plane ICP", c, kPeerPoses, true, [&](const Surface& moved, int) {
+  near.print(timed("Open3D point-to-plane ICP", c, kPeerPoses, true, [&](const Surface& moved, int) {
     return target.icp(moved, Isometry3d::Identity(), 1000, 30);
   }));
 #endif
-  printRows(c.name + ": closest points from 10 deg, 15 mm off", rows, "Open3D point-to-plane ICP");
+#ifdef FALCIFORM_BENCH_PCL
+  near.print(timed("PCL ICP", c, slowPeers, true, pcl));
+#endif
+  near.print(timed("VTK ICP", c, slowPeers, true, vtk));
+  RegistrationSettings icp;
+  icp.method = RegistrationMethod::Icp;
+  near.print(timed("ours, ICP", c, kPeerPoses, true, [&](const Surface& moved, int) {
+    return registerSurfaces(preop, moved, icp).scanFromPreop.inverse();
+  }));
 }
 
 }  // namespace falciform::bench

@@ -18,13 +18,21 @@
 namespace falciform::bench {
 namespace {
 
-constexpr double kBendingMm = 3, kEdgeMm = 2.5, kRightMm = 5;
+constexpr double kBendingMm = 3, kEdgeMm = 2.5, kRightMm = 5, kUsualNoiseMm = 0.5, kUsualShare = 0.3;
+
+/// A liver and its usual scan, from which the sweeps start.
+struct Usual {
+  const BentLiver& liver;
+  std::vector<Station> stations;
+  BenchCase seen;
+  std::uint64_t seed;
+};
 
 /// One thing that goes wrong, and how a case looks under it.
 struct Sweep {
   std::string title, axis;
   std::vector<double> values;  ///< in the axis's unit
-  std::function<BenchCase(const BentLiver&, double value, std::uint64_t seed)> make;
+  std::function<BenchCase(const Usual&, double value)> make;
 };
 
 std::vector<Sweep> sweeps() {
@@ -32,29 +40,29 @@ std::vector<Sweep> sweeps() {
       {"Wrong labels",
        "mislabelled patch points, %",
        {0, 10, 20, 30, 40},
-       [](const BentLiver& liver, double percent, std::uint64_t seed) {
-         BenchCase c = liver.seen({});
-         c.scan = withWrongLabels(c.scan, percent / 100, seed);
+       [](const Usual& usual, double percent) {
+         BenchCase c = usual.seen;
+         c.scan = withWrongLabels(c.scan, percent / 100, usual.seed);
          return c;
        }},
       {"Outliers",
        "scan points that are no liver, %",
        {0, 5, 10, 20, 30},
-       [](const BentLiver& liver, double percent, std::uint64_t seed) {
-         BenchCase c = liver.seen({});
-         c.scan = withOutliers(c.scan, percent / 100, seed);
+       [](const Usual& usual, double percent) {
+         BenchCase c = usual.seen;
+         c.scan = withOutliers(c.scan, percent / 100, usual.seed);
          return c;
        }},
       {"Coverage",
        "share of the surface that is seen, %",
        {10, 15, 20, 25, 30, 45},
-       [](const BentLiver& liver, double percent, std::uint64_t) {
-         return liver.seen({.visibleShare = percent / 100});
+       [](const Usual& usual, double percent) {
+         return usual.liver.seen(usual.liver.aim(percent / 100), kUsualNoiseMm);
        }},
       {"Noise",
        "standard deviation along the ray, mm",
        {0, 0.5, 1, 2, 3},
-       [](const BentLiver& liver, double mm, std::uint64_t) { return liver.seen({.noiseMm = mm}); }},
+       [](const Usual& usual, double mm) { return usual.liver.seen(usual.stations, mm); }},
   };
 }
 
@@ -100,9 +108,11 @@ std::vector<CurvePanel> runSweeps(int cases) {
   for (int seed = 1; seed <= cases; ++seed) {
     const BentLiver liver(seed, kBendingMm, kEdgeMm);
     const PreparedPreop preop(liver.preop());
+    Usual usual{liver, liver.aim(kUsualShare), {}, static_cast<std::uint64_t>(seed)};
+    usual.seen = liver.seen(usual.stations, kUsualNoiseMm);
     for (std::size_t s = 0; s < all.size(); ++s)
       for (std::size_t v = 0; v < all[s].values.size(); ++v) {
-        const BenchCase c = all[s].make(liver, all[s].values[v], static_cast<std::uint64_t>(seed));
+        const BenchCase c = all[s].make(usual, all[s].values[v]);
         coverage[s][v] += c.coverage / cases;
         for (std::size_t m = 0; m < methods.size(); ++m) tallies[s][v][m].add(run(c, preop, methods[m]));
       }

@@ -1,6 +1,5 @@
 #pragma once
 #include <string>
-#include <vector>
 
 #include "Testing/Benchmarks/Outcomes.h"
 
@@ -15,8 +14,16 @@ struct Row {
 
 /// The head of the one table; rows of all kinds share its columns.
 void printHead();
-/// The rows of one comparison. `reference` is the row to whose median wall time the ratios are ("" or
-/// unknown: none).
-void printRows(const std::string& what, const std::vector<Row>& rows, const std::string& reference);
+
+/// The rows of one comparison, each printed when it is there. The first is the reference of the ratios.
+class Comparison {
+ public:
+  explicit Comparison(std::string what) : what_(std::move(what)) {}
+  void print(const Row& row);
+
+ private:
+  std::string what_;
+  double referenceMs_ = 0;
+};
 
 }  // namespace falciform::bench
