@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kRingPoints = 97, kShaftPoints = 9;                   // the ring's last point is its first
 constexpr double kShaftFrom = 1.10, kShaftTo = 1.45, kBarb = 0.09;  // of the rings' radius
-constexpr float kWidth = 2.5F, kWideWidth = 5.5F;
+constexpr double kWidth = 2.5, kWideWidth = 5.5, kReach = 9;        // desktop pixels
 
 vtkSmartPointer<vtkActor> onTop(vtkPolyData* data, const Vector3d& colour) {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -30,7 +30,6 @@ vtkSmartPointer<vtkActor> onTop(vtkPolyData* data, const Vector3d& colour) {
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
-  actor->GetProperty()->SetLineWidth(kWidth);
   actor->GetProperty()->LightingOff();
   actor->PickableOff();
   return actor;
@@ -45,7 +44,8 @@ Vector3d axisColour(int axis) {
   return colours[static_cast<std::size_t>(axis)] / 255.0;
 }
 
-PoseHandlesPresenter::PoseHandlesPresenter(vtkRenderer* renderer) : renderer_(renderer) {
+PoseHandlesPresenter::PoseHandlesPresenter(vtkRenderer* renderer, double pixelRatio)
+    : renderer_(renderer), pixelRatio_(pixelRatio) {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     Part& part = parts_[i];
     part.handle = {i < 3, static_cast<int>(i % 3)};
@@ -53,6 +53,7 @@ PoseHandlesPresenter::PoseHandlesPresenter(vtkRenderer* renderer) : renderer_(re
     part.actor = onTop(part.data, axisColour(part.handle.axis));
     renderer_->AddActor(part.actor);
   }
+  highlight({});
 }
 
 PoseHandlesPresenter::~PoseHandlesPresenter() {
@@ -96,12 +97,13 @@ void PoseHandlesPresenter::show(const Vector3d& centre, double radiusMm) {
 
 void PoseHandlesPresenter::highlight(const std::optional<PoseHandle>& handle) {
   for (const Part& part : parts_)
-    part.actor->GetProperty()->SetLineWidth(handle == part.handle ? kWideWidth : kWidth);
+    part.actor->GetProperty()->SetLineWidth(
+        static_cast<float>(pixelRatio_ * (handle == part.handle ? kWideWidth : kWidth)));
 }
 
-std::optional<PoseGrip> PoseHandlesPresenter::at(double x, double y, double reachPx) const {
+std::optional<PoseGrip> PoseHandlesPresenter::at(double x, double y) const {
   std::optional<PoseGrip> nearest;
-  double best = reachPx;
+  double best = kReach * pixelRatio_;
   for (const Part& part : parts_) {
     const Points along = line(part.handle);
     for (Index i = 0; i + 1 < along.rows(); ++i) {

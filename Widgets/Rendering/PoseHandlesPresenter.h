@@ -31,7 +31,8 @@ struct PoseGrip {
 /// Three rings and three arrows around a place of the scene, drawn over all else.
 class PoseHandlesPresenter {
  public:
-  explicit PoseHandlesPresenter(vtkRenderer* renderer);
+  /// `pixelRatio`: true pixels in one of the desktop's, for lines that are as wide on a dense screen.
+  explicit PoseHandlesPresenter(vtkRenderer* renderer, double pixelRatio = 1);
   ~PoseHandlesPresenter();
   PoseHandlesPresenter(const PoseHandlesPresenter&) = delete;
   PoseHandlesPresenter& operator=(const PoseHandlesPresenter&) = delete;
@@ -41,8 +42,8 @@ class PoseHandlesPresenter {
   /// Draws one handle wider, or none.
   void highlight(const std::optional<PoseHandle>& handle);
 
-  /// The handle within `reachPx` of a pixel (origin bottom left), the nearest one.
-  [[nodiscard]] std::optional<PoseGrip> at(double x, double y, double reachPx = 9) const;
+  /// The handle within 9 desktop pixels of a true pixel (origin bottom left), the nearest one.
+  [[nodiscard]] std::optional<PoseGrip> at(double x, double y) const;
   /// N x 3 points of a handle as drawn, mm in the scene.
   [[nodiscard]] Points line(const PoseHandle& handle) const;
 
@@ -53,6 +54,7 @@ class PoseHandlesPresenter {
     vtkSmartPointer<vtkActor> actor;
   };
   vtkSmartPointer<vtkRenderer> renderer_;
+  double pixelRatio_;
   std::array<Part, 6> parts_;
   Vector3d centre_ = Vector3d::Zero();
   double radiusMm_ = 0;

@@ -21,7 +21,7 @@ void PoseInteractor::startMoving(vtkRenderer* renderer, const Vector3d& pivotInB
   renderer_ = renderer;
   pivotInBody_ = pivotInBody;
   radiusMm_ = radiusMm;
-  handles_ = std::make_unique<PoseHandlesPresenter>(renderer);
+  handles_ = std::make_unique<PoseHandlesPresenter>(renderer, pixelRatio);
   setPose(pose_);
 }
 

@@ -25,6 +25,7 @@ class PoseInteractor : public NavigationInteractor {
   /// Where the body is; draws the handles there.
   void setPose(const Isometry3d& sceneFromBody);
 
+  double pixelRatio = 1;                          ///< as PoseHandlesPresenter's; before startMoving
   double stepMm = 5, stepDeg = 5;                 ///< of a key
   std::function<void(const Isometry3d&)> onMove;  ///< the new pose, scene from body
   std::function<void()> onLeave;                  ///< left by Esc

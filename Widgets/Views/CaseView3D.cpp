@@ -196,6 +196,7 @@ void CaseView3D::followMoving() {
   if (wanted && (!mover.moving() || parts_->moved != scan)) {
     const Vector3d centre = scan->points.colwise().mean();
     const double reach = (scan->points.rowwise() - centre.transpose()).rowwise().norm().maxCoeff();
+    mover.pixelRatio = parts_->canvas->devicePixelRatioF();
     mover.startMoving(parts_->scene.scene().renderer(), centre, kHandleShare * reach);
     parts_->moved = scan;
   }
