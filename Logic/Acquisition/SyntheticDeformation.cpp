@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "Logic/Acquisition/Draws.h"
+#include "Logic/Core/Draws.h"
 #include "Logic/Geometry/Measures.h"
 
 namespace falciform {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Logic/Acquisition/Draws.h"
+#include "Logic/Core/Draws.h"
 #include "Logic/Core/Surface.h"
 
 namespace falciform {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "Logic/Acquisition/Draws.h"
 #include "Logic/Acquisition/RasterMesh.h"
 #include "Logic/Acquisition/TissueColour.h"
+#include "Logic/Core/Draws.h"
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Geometry/Topology.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "Logic/Core/Median.h"
+
 namespace falciform {
 
 namespace {
@@ -111,10 +113,7 @@ float robustWeight(float squared, float scale) {
 
 /// The scale beyond which a point counts little: twice the median, and not below kRobustMm.
 float robustScale(std::vector<float>& squared) {
-  if (squared.empty()) return kRobustMm;
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::max(kRobustMm, 2 * std::sqrt(*middle));
+  return std::max(kRobustMm, 2 * std::sqrt(medianInPlace(squared)));
 }
 
 }  // namespace

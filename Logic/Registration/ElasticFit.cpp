@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "Logic/Core/Median.h"
 #include "Logic/Core/Parallel.h"
 
 namespace falciform {
@@ -39,13 +40,6 @@ struct Sums {
 double welsch(double distance, double scale) {
   const double r = distance / scale;
   return std::exp(-r * r);
-}
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The points in their own principal axes, each turned so that the points lean to its positive side: cells
@@ -141,8 +135,8 @@ void Fit::match() {
     distances.push_back(std::abs(matches_[i].distance));
     if (scan_.labels[i] > 0) own.push_back(matches_[i].ownDistance);  // 0: there already
   }
-  scale_ = std::max(settings_.robustScaleMm, 3 * medianOf(std::move(distances)));
-  patchScale_ = std::max(kPatchScaleMm, 3 * medianOf(std::move(own)));
+  scale_ = std::max(settings_.robustScaleMm, 3 * medianInPlace(distances));
+  patchScale_ = std::max(kPatchScaleMm, 3 * medianInPlace(own));
 }
 
 void Fit::addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums) const {

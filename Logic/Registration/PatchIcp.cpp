@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "Logic/Core/Median.h"
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Sampling.h"
 #include "Logic/Registration/PointRegistration.h"
@@ -48,13 +49,6 @@ struct PairSums {
 Isometry3d orthonormalised(Isometry3d pose) {
   pose.linear() = Eigen::Quaterniond(pose.linear()).normalized().toRotationMatrix();
   return pose;
-}
-
-/// Square root of the median; the order of `squared` is changed.
-double medianDistance(std::vector<double>& squared) {
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::sqrt(*middle);
 }
 
 std::string stageText(const IterationRecord& r) {
@@ -139,7 +133,7 @@ PatchIcpResult runPatchIcp(const LabelledTarget& target, const LabelledSource& s
     // Far from the answer every residual is large and none is an outlier: the scale follows the residuals
     // down.
     if (settings.robustScaleMm > 0)
-      scale = std::max(settings.robustScaleMm, 3 * medianDistance(squaredDistances));
+      scale = std::max(settings.robustScaleMm, 3 * std::sqrt(medianInPlace(squaredDistances)));
   }
   if (!result.converged) result.stopReason = "the largest number of iterations was reached";
   return result;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "Logic/Core/Median.h"
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Sampling.h"
 
@@ -31,12 +32,6 @@ Vector3d normalAt(const Points& points, const KdTree& tree, int row) {
   Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
   eigen.computeDirect(spread);
   return eigen.eigenvectors().col(0);
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Hands one side from point to point along the tree of smallest bends (Hoppe 1992, by Prim).
@@ -75,7 +70,8 @@ std::vector<int> withoutStragglers(const Points& points, const KdTree& tree, con
     }
   });
   if (rows.empty()) return rows;
-  const double usual = medianOf(spacings);
+  std::vector<double> sorted = spacings;
+  const double usual = medianInPlace(sorted);
   std::vector<int> kept;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (spacings[i] <= kStraggler * usual) kept.push_back(rows[i]);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "Logic/Acquisition/Draws.h"
+#include "Logic/Core/Draws.h"
 
 namespace falciform {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "Logic/Acquisition/Draws.h"
+#include "Logic/Core/Draws.h"
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Geometry/TriangleTree.h"

@@ -1,2 +1,0 @@
-#pragma once
-#include "Logic/Core/Draws.h"  // it moved there, for all rooms
