@@ -6,7 +6,8 @@
 
 namespace falciform {
 
-/// RMS residual and patch weight over the iterations of a registration; may be shown again as it runs.
+/// RMS residual and patch weight, or where that stays the same the largest motion of a scan point, over the
+/// iterations of a registration; may be shown again as it runs.
 class ConvergencePresenter {
  public:
   ConvergencePresenter(vtkRenderer* renderer, int textPx, const Vector3d& textColour);
