@@ -13,22 +13,39 @@ namespace {
 
 using test::UpdateCase;
 
-TEST(UpdateCases, PatchStartsFindTheLiverAndTheRestIsWarnedOf) {
+/// With two patches, one, and none: all within the bound of the best that a rigid motion can do.
+TEST(UpdateCases, EveryLiverIsFoundWithPatchesOrNone) {
   FALCIFORM_NEEDS_DATA("update");
-  int good = 0, cases = 0;
+  RegistrationSettings one, none;
+  one.patches = {patch::kFalciform};
+  none.method = RegistrationMethod::Auto;
+  for (const std::string& name : test::updateCaseNames()) {
+    const UpdateCase c = test::readUpdateCase(name);
+    const PreparedPreop preop(c.preop);
+    for (const auto& [settings, what] : {std::pair(RegistrationSettings{}, "two patches"),
+                                         std::pair(one, "falciform"), std::pair(none, "auto")}) {
+      const RegistrationResult result = registerSurfaces(preop, c.scan, settings);
+      const double error = targetErrors(c.targetsPreop, c.targetsScanner, result.scanFromPreop).mean();
+      RecordProperty(name + "_" + what + "_target_error_mm", std::to_string(error));
+      EXPECT_LT(error, 1.4 * c.optimalRigidMm + 0.5) << name << ", " << what;
+    }
+  }
+}
+
+/// Mean expected beside mean true target error, truth unseen: half to twice over the seven together.
+TEST(UpdateCases, WhatItExpectsIsAboutWhatIsTrue) {
+  FALCIFORM_NEEDS_DATA("update");
+  double expected = 0, error = 0;
   for (const std::string& name : test::updateCaseNames()) {
     const UpdateCase c = test::readUpdateCase(name);
     const RegistrationResult result = registerSurfaces(c.preop, c.scan, {});
-    const double error = targetErrors(c.targetsPreop, c.targetsScanner, result.scanFromPreop).mean();
-    RecordProperty(name + "_target_error_mm", std::to_string(error));
-    ++cases;
-    if (error < 1.4 * c.optimalRigidMm + 1) {
-      ++good;
-    } else {
-      EXPECT_FALSE(result.warnings.empty()) << name << " is off by " << error << " mm and nothing is said";
-    }
+    error += targetErrors(c.targetsPreop, c.targetsScanner, result.scanFromPreop).mean();
+    for (Index i = 0; i < c.targetsPreop.rows(); ++i)
+      expected += result.expectedTargetErrorMm(c.targetsPreop.row(i).transpose()) /
+                  static_cast<double>(c.targetsPreop.rows());
   }
-  EXPECT_GE(good, cases - 1);
+  EXPECT_GT(expected, 0.5 * error);
+  EXPECT_LT(expected, 2 * error);
 }
 
 TEST(UpdateCases, ThePoseDoesNotDependOnTheStart) {
@@ -42,7 +59,7 @@ TEST(UpdateCases, ThePoseDoesNotDependOnTheStart) {
   const Points here = transformed(c.preop.points, turned * stored.scanFromPreop);
   const Points there = transformed(c.preop.points, moved.scanFromPreop);
   EXPECT_LT((here - there).rowwise().norm().maxCoeff(),
-            0.3);  // mm: both stop when no point moves 1e-3 mm a step
+            0.3);  // mm: both stop when the fit moves 0.02 mm a step
 }
 
 }  // namespace
