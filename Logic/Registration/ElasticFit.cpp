@@ -20,6 +20,7 @@ constexpr double kPatchScaleMm = 10;  // Welsch scale of the pull to one's own l
 constexpr double kScoreScaleMm = 5;
 // Before the scan has spoken: strains as livers show in surgery, worth so many modes' evidence.
 constexpr double kUsualStrain = 0.012, kUsualCount = 0.3, kLargestStrain = 0.02;
+constexpr int kLearningSteps = 8;  // what it learns later would move the pose by hundredths of a millimetre
 constexpr double kLeastResidualMm = 0.1, kLargestResidualMm = 4;
 using Unknowns = Eigen::Matrix<double, ElasticModes::kUnknowns, 1>;
 using Rows = Eigen::Matrix<double, ElasticModes::kUnknowns, Eigen::Dynamic>;
@@ -76,7 +77,7 @@ class Fit {
   ElasticFitPlan settings_;
   Isometry3d pose;
   ElasticModes::Coefficients bending = settings_.bending;
-  double damping = 1;  ///< share of a step that is made
+  double damping = 1;  ///< share of a Gauss-Newton step that is made
   [[nodiscard]] ElasticModes::Energy covariance() const {
     return factors_.solve(ElasticModes::Energy::Identity());
   }
@@ -245,6 +246,7 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
   Fit fit(preop, scan, settings, preopFromScan);
   ElasticFitResult result;
   const Points corners = boxCorners(scan.points);
+  Points lastStep;
   fit.match();
   for (int step = 0; step < settings.maxIterations; ++step) {
     const Points before = transformed(corners, fit.pose);
@@ -255,16 +257,24 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
     record.patchWeight = settings.patchWeight;
     fit.step();
     fit.match();
-    if (settings.learn) fit.learn();
-    record.motionMm = (transformed(corners, fit.pose) - before).rowwise().norm().maxCoeff();
+    if (settings.learn && step < kLearningSteps) fit.learn();
     record.preopFromScan = fit.pose;
-    // Matches that change to and fro would have the fit step to and fro for ever.
-    if (step > 0 && record.motionMm > 0.7 * result.pose.history.back().motionMm)
-      fit.damping = std::max(0.25, 0.7 * fit.damping);
+    // Matches that change to and fro would have the fit step to and fro for ever; steps that keep their
+    // direction are too short.
+    const Points made = transformed(corners, fit.pose) - before;
+    if (step > 0) {
+      const double turn = made.cwiseProduct(lastStep).sum() / (made.norm() * lastStep.norm() + 1e-12);
+      fit.damping = turn < 0     ? std::max(0.25, 0.6 * fit.damping)
+                    : turn > 0.7 ? std::min(2.5, 1.4 * fit.damping)
+                                 : 1;
+    }
+    lastStep = made;
+    record.motionMm = made.rowwise().norm().maxCoeff();
     result.pose.history.push_back(record);
     if (observer) observer(record);
     progress.report(static_cast<double>(step) / settings.maxIterations, "settling");
-    const bool learnt = !settings.learn || std::abs(fit.strain - strainBefore) < 0.1 * strainBefore;
+    const bool learnt =
+        !settings.learn || step >= kLearningSteps || std::abs(fit.strain - strainBefore) < 0.1 * strainBefore;
     if (record.motionMm < settings.motionToleranceMm && learnt) {
       result.pose.converged = true;
       result.pose.stopReason = "nothing moved farther than the tolerance";
