@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "Logic/Core/Errors.h"
@@ -98,6 +99,8 @@ RegistrationResult registrationFromJson(const Json& json) {
     result.patchRmsMm[number] = Fields(fields.at("patch_rms_mm"), "patch_rms_mm").number(label.c_str());
   }
   result.coverage = fields.number("coverage");
+  const double expected = fields.number("expected_target_error_mm");  // null where the method gives none
+  result.expectedErrorMeanMm = std::isfinite(expected) ? expected : 0;
   result.rotationDeg = fields.number("rotation_deg");
   result.translationMm = fields.number("translation_mm");
   result.iterations = fields.whole<int>("iterations");

@@ -16,6 +16,7 @@ RegistrationResult sampleRegistration() {
   result.p95Mm = 2.3;
   result.patchRmsMm = {{1, 0.5}, {2, 0.7}};
   result.coverage = 0.31;
+  result.expectedErrorMeanMm = 2.5;
   result.rotationDeg = 12.5;
   result.translationMm = 33.25;
   result.iterations = 2;
