@@ -7,10 +7,11 @@ namespace falciform::bench {
 
 namespace {
 
-constexpr double kPanelWidth = 400, kPanelHeight = 250, kLeft = 46, kRight = 14, kTop = 34, kBottom = 44,
+constexpr double kPanelWidth = 400, kPanelHeight = 250, kLeft = 54, kRight = 14, kTop = 34, kBottom = 44,
                  kLegend = 52;
 // Colours that the colour-blind tell apart (Okabe and Ito).
 constexpr std::array<const char*, 3> kColours{"#0072b2", "#d55e00", "#009e73"};
+constexpr std::array<double, 3> kWidths{7, 4, 1.5};
 
 std::string number(double value) {
   std::array<char, 32> text{};
@@ -28,9 +29,12 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
          number(y2) + "\" " + style + "/>\n";
 }
 
+/// Each method's line is thinner than the one before, which it is drawn on, so that curves that coincide are
+/// seen.
 std::string stroke(std::size_t method, bool dashed) {
-  return std::string("fill=\"none\" stroke=\"") + kColours[method % kColours.size()] +
-         "\" stroke-width=\"2\"" + (dashed ? " stroke-dasharray=\"5 4\"" : "");
+  const double width = dashed ? 1.5 : kWidths[method % kWidths.size()];
+  return std::string("fill=\"none\" stroke=\"") + kColours[method % kColours.size()] + "\" stroke-width=\"" +
+         number(width) + "\"" + (dashed ? " stroke-dasharray=\"5 4\"" : "");
 }
 
 /// Where a panel's values lie on the page.
@@ -67,9 +71,9 @@ std::string panelSvg(const CurvePanel& panel, double left, double top) {
     svg += line(f.x(x), f.y(0), f.x(x), f.y(0) + 4, "stroke=\"#57606a\"") +
            text(f.x(x), f.y(0) + 17, "middle", number(x));
   svg += text(0.5 * (f.x(f.low) + f.x(f.high)), f.y(0) + 35, "middle", panel.axis);
-  for (std::size_t m = 0; m < panel.curves.size(); ++m)
-    svg += polyline(f, panel.curves[m], panel.curves[m].dashed, m, true) +
-           polyline(f, panel.curves[m], panel.curves[m].solid, m, false);
+  for (const bool dashed : {false, true})
+    for (std::size_t m = 0; m < panel.curves.size(); ++m)
+      svg += polyline(f, panel.curves[m], dashed ? panel.curves[m].dashed : panel.curves[m].solid, m, dashed);
   return svg;
 }
 

@@ -1,10 +1,22 @@
 #include "Testing/Benchmarks/Table.h"
 
+#include <array>
 #include <cstdio>
 
 #include "Testing/Benchmarks/Stopwatch.h"
 
 namespace falciform::bench {
+
+namespace {
+
+/// Three figures, without a power of ten.
+std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), value < 1000 ? "%.3g" : "%.0f", value);
+  return text.data();
+}
+
+}  // namespace
 
 void printHead() {
   std::puts(
@@ -22,8 +34,8 @@ void Comparison::print(const Row& row) {
     std::printf(" %d |", t.right);
   else
     std::printf(" |");
-  std::printf(" %.3g | %.3g | %.3g | %.3g |", wall, quantile(t.wallMs, 0.99), quantile(t.cpuMs, 0.5),
-              referenceMs_ / wall);
+  for (const double value : {wall, quantile(t.wallMs, 0.99), quantile(t.cpuMs, 0.5), referenceMs_ / wall})
+    std::printf(" %s |", figure(value).c_str());
   if (t.errorsMm.empty())
     std::puts(" | |");
   else
