@@ -34,12 +34,6 @@ TetrahedralMesh tetrahedralise(const Surface&, double) {
 namespace falciform {
 namespace {
 
-double volumeOf(const TetrahedralMesh& mesh, Index t) {
-  const auto corner = [&](int k) { return Vector3d(mesh.points.row(mesh.tetrahedra(t, k)).transpose()); };
-  const Vector3d a = corner(0);
-  return (corner(1) - a).cross(corner(2) - a).dot(corner(3) - a) / 6;
-}
-
 void checkClosed(const Surface& surface) {
   const TopologyReport report = inspectTopology(surface);
   if (!report.closedManifold() || report.unusedPoints > 0)
@@ -144,10 +138,10 @@ void runTetGen(tetgenio& in, tetgenio& out, double maxVolumeMm3) {
 TetrahedralMesh taken(const tetgenio& out) {
   TetrahedralMesh mesh;
   mesh.points = Eigen::Map<const Points>(out.pointlist, out.numberofpoints, 3);
-  mesh.tetrahedra.resize(out.numberoftetrahedra, 4);
-  for (Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
-    for (int k = 0; k < 4; ++k) mesh.tetrahedra(t, k) = out.tetrahedronlist[t * out.numberofcorners + k];
-    if (volumeOf(mesh, t) < 0) std::swap(mesh.tetrahedra(t, 2), mesh.tetrahedra(t, 3));
+  mesh.elements.resize(out.numberoftetrahedra, 4);
+  for (Index t = 0; t < mesh.elements.rows(); ++t) {
+    for (int k = 0; k < 4; ++k) mesh.elements(t, k) = out.tetrahedronlist[t * out.numberofcorners + k];
+    if (cornerVolume(mesh, t) < 0) std::swap(mesh.elements(t, 2), mesh.elements(t, 3));
   }
   return mesh;
 }
@@ -156,7 +150,7 @@ TetrahedralMesh taken(const tetgenio& out) {
 /// and no less.
 void checkFilled(const TetrahedralMesh& mesh, const Surface& surface) {
   double sum = 0;
-  for (Index t = 0; t < mesh.tetrahedra.rows(); ++t) sum += volumeOf(mesh, t);
+  for (Index t = 0; t < mesh.elements.rows(); ++t) sum += cornerVolume(mesh, t);
   const double wanted = signedVolume(surface);
   const bool kept =
       mesh.points.rows() >= surface.size() && mesh.points.topRows(surface.size()) == surface.points;

@@ -33,8 +33,8 @@ TEST(Tetrahedra, SaysHowToGetTetGenWhereTheBuildIsWithoutIt) {
 
 std::vector<double> volumes(const TetrahedralMesh& mesh) {
   std::vector<double> result;
-  for (Index t = 0; t < mesh.tetrahedra.rows(); ++t) {
-    const auto corner = [&](int k) { return Vector3d(mesh.points.row(mesh.tetrahedra(t, k)).transpose()); };
+  for (Index t = 0; t < mesh.elements.rows(); ++t) {
+    const auto corner = [&](int k) { return Vector3d(mesh.points.row(mesh.elements(t, k)).transpose()); };
     result.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).dot(corner(3) - corner(0)) / 6);
   }
   return result;
@@ -55,11 +55,11 @@ Face sorted(Face face) {
 /// Faces of one tetrahedron only, and how often each face occurs.
 std::map<Face, int> faces(const TetrahedralMesh& mesh) {
   std::map<Face, int> count;
-  for (Index t = 0; t < mesh.tetrahedra.rows(); ++t)
+  for (Index t = 0; t < mesh.elements.rows(); ++t)
     for (int left = 0; left < 4; ++left) {
       Face face{};
       for (int k = 0, n = 0; k < 4; ++k)
-        if (k != left) face[static_cast<std::size_t>(n++)] = mesh.tetrahedra(t, k);
+        if (k != left) face[static_cast<std::size_t>(n++)] = mesh.elements(t, k);
       ++count[sorted(face)];
     }
   return count;
@@ -110,16 +110,16 @@ TEST(Tetrahedra, AreRefinedByTheLargestVolume) {
     // Where the boundary is kept, its triangles may forbid smaller ones: one in fifty may be larger.
     const auto larger = std::count_if(v.begin(), v.end(), [&](double x) { return x > bound * (1 + 1e-9); });
     EXPECT_LE(static_cast<double>(larger), 0.02 * static_cast<double>(v.size()));
-    EXPECT_GT(mesh.tetrahedra.rows(), previous);
+    EXPECT_GT(mesh.elements.rows(), previous);
     EXPECT_NEAR(sum(v), signedVolume(surface), 1e-9 * signedVolume(surface));
-    previous = mesh.tetrahedra.rows();
+    previous = mesh.elements.rows();
   }
 }
 
 TEST(Tetrahedra, AreTheSameEachTime) {
   const Surface surface = test::lumpyBody(3);
   const TetrahedralMesh a = tetrahedralise(surface, 1000), b = tetrahedralise(surface, 1000);
-  EXPECT_TRUE(a.points == b.points && a.tetrahedra == b.tetrahedra);
+  EXPECT_TRUE(a.points == b.points && a.elements == b.elements);
 }
 
 TEST(Tetrahedra, RefuseOpenSurfaces) {
