@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "Logic/Core/NumberText.h"
+
 namespace falciform {
 
 /// Reads a text line by line and number by number, always with a decimal point, whatever the locale. Inside
@@ -48,13 +50,6 @@ template <class Number>
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   return error == std::errc() && end == word.data() + word.size() && !word.empty();
-}
-
-/// The shortest text that reads back as the same number.
-template <class Number>
-[[nodiscard]] std::string numberText(Number value) {
-  char buffer[40];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
 }  // namespace falciform
