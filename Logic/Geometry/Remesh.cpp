@@ -34,7 +34,9 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Remesher {
  public:
-  Remesher(const Surface& surface, double edgeLength) : mesh_(surface), tree_(surface), edge_(edgeLength) {}
+  /// `edgeLength` everywhere, or `field` with `edgeLength` its smallest value.
+  Remesher(const Surface& surface, double edgeLength, const EdgeLengthField& field = {})
+      : mesh_(surface), tree_(surface), edge_(edgeLength), field_(field) {}
 
   void splitLongEdges();
   void collapseShortEdges();
@@ -45,6 +47,10 @@ class Remesher {
  private:
   [[nodiscard]] const Vector3d& x(int v) const { return mesh_.position[at(v)]; }
   [[nodiscard]] double length(int h) const { return (x(mesh_.origin(h)) - x(mesh_.target(h))).norm(); }
+  [[nodiscard]] double aimAt(const Vector3d& place) const { return field_ ? field_(place) : edge_; }
+  [[nodiscard]] double aim(int h) const {
+    return field_ ? (field_(x(mesh_.origin(h))) + field_(x(mesh_.target(h)))) / 2 : edge_;
+  }
   [[nodiscard]] Vector3d areaVector(int h) const {
     const Vector3d& a = x(mesh_.origin(h));
     return (x(mesh_.target(h)) - a).cross(x(mesh_.opposite(h)) - a);
@@ -58,13 +64,14 @@ class Remesher {
   HalfEdgeMesh mesh_;
   TriangleTree tree_;
   double edge_;
+  EdgeLengthField field_;
 };
 
 /// Longest first: then every new edge is shorter than the one cut, so that this ends and makes no needles.
 void Remesher::splitLongEdges() {
   std::priority_queue<std::pair<double, int>> longest;
   const auto consider = [&](int h) {
-    if (length(h) > kLongest * edge_) longest.emplace(length(h), h);
+    if (length(h) > kLongest * aim(h)) longest.emplace(length(h), h);
   };
   for (int h = 0; h < mesh_.halfEdges(); ++h)
     if (mesh_.twin(h) < h) consider(h);  // each edge once
@@ -116,10 +123,11 @@ Vector3d Remesher::meetingPoint(int h) const {
 bool Remesher::keepsShape(int v, int without, const Vector3d& to) const {
   thread_local std::vector<int> spokes;
   mesh_.spokes(v, spokes);
+  const double longest = kLongest * aimAt(to);
   for (const int s : spokes) {
     const int p = mesh_.target(s), q = mesh_.opposite(s);
     if (p == without || q == without) continue;
-    if ((x(p) - to).norm() > kLongest * edge_ || (x(q) - to).norm() > kLongest * edge_) return false;
+    if ((x(p) - to).norm() > longest || (x(q) - to).norm() > longest) return false;
     const Vector3d before = areaVector(s), after = (x(p) - to).cross(x(q) - to);
     const double areas = before.norm() * after.norm();
     if (!(after.norm() > 1e-6 * edge_ * edge_)) return false;
@@ -130,7 +138,7 @@ bool Remesher::keepsShape(int v, int without, const Vector3d& to) const {
 
 void Remesher::collapseShortEdges() {
   for (int h = 0; h < mesh_.halfEdges(); ++h) {
-    if (!mesh_.alive(h) || length(h) >= kShortest * edge_ || !mesh_.collapsible(h)) continue;
+    if (!mesh_.alive(h) || length(h) >= kShortest * aim(h) || !mesh_.collapsible(h)) continue;
     const Vector3d to = meetingPoint(h);
     const int a = mesh_.origin(h), b = mesh_.target(h);
     if (!keepsShape(a, b, to) || !keepsShape(b, a, to)) continue;
@@ -229,6 +237,8 @@ void Remesher::relax() {
       normals[at(v)] += n;
     }
   }
+  if (field_)  // even in numbers of edge lengths, not in mm
+    for (std::size_t v = 0; v < areas.size(); ++v) areas[v] /= std::pow(field_(mesh_.position[v]), 2);
   std::vector<Vector3d> to(mesh_.position.size());
   forEachChunk(to.size(), kChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -259,9 +269,9 @@ void checkAim(const Surface& surface, double edgeLength) {
 
 }  // namespace
 
-Surface remeshIsotropic(const Surface& surface, double edgeLengthMm, int passes, const Progress& progress) {
-  checkAim(surface, edgeLengthMm);
-  Remesher remesher(surface, edgeLengthMm);
+namespace {
+
+Surface remeshed(const Surface& surface, Remesher remesher, int passes, const Progress& progress) {
   for (int pass = 0; pass < passes; ++pass) {
     const auto report = [&](double step) { progress.report((pass + step / 4) / passes, "Remeshing"); };
     report(0);
@@ -277,6 +287,19 @@ Surface remeshIsotropic(const Surface& surface, double edgeLengthMm, int passes,
   Surface result = remesher.surface();
   result.frame = surface.frame;
   return result;
+}
+
+}  // namespace
+
+Surface remeshIsotropic(const Surface& surface, double edgeLengthMm, int passes, const Progress& progress) {
+  checkAim(surface, edgeLengthMm);
+  return remeshed(surface, Remesher(surface, edgeLengthMm), passes, progress);
+}
+
+Surface remeshIsotropic(const Surface& surface, const EdgeLengthField& edgeLengthMm, double shortestMm,
+                        int passes, const Progress& progress) {
+  checkAim(surface, shortestMm);
+  return remeshed(surface, Remesher(surface, shortestMm, edgeLengthMm), passes, progress);
 }
 
 }  // namespace falciform

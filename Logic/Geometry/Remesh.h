@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "Logic/Core/Progress.h"
 #include "Logic/Core/Surface.h"
 
@@ -13,5 +15,13 @@ namespace falciform {
 /// more than 20 million triangles.
 [[nodiscard]] Surface remeshIsotropic(const Surface& surface, double edgeLengthMm, int passes = 6,
                                       const Progress& progress = {});
+
+/// The edge length aimed at near a place, mm.
+using EdgeLengthField = std::function<double(const Vector3d&)>;
+
+/// The same with an edge length that varies from place to place: finer where a shape is narrow. The field
+/// should be smooth (a slope below 1), above 0 and at least `shortestMm`.
+[[nodiscard]] Surface remeshIsotropic(const Surface& surface, const EdgeLengthField& edgeLengthMm,
+                                      double shortestMm, int passes = 6, const Progress& progress = {});
 
 }  // namespace falciform

@@ -1,0 +1,123 @@
+#include "Logic/Biomechanics/CrossingRepair.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "Logic/Geometry/GridField.h"
+#include "Logic/Geometry/Remesh.h"
+#include "Logic/Geometry/Topology.h"
+
+namespace falciform {
+
+namespace {
+
+constexpr int kRounds = 5;         ///< of finer edges
+constexpr double kFinest = 0.125;  ///< of the edge length
+constexpr double kSlope = 0.4;     ///< of the edge length's growth away from a fine spot
+
+/// A place around which edges are finer.
+struct FineSpot {
+  Vector3d place;
+  double radiusMm, edgeMm;
+};
+
+double edgeLengthAt(const Vector3d& x, const std::vector<FineSpot>& spots, double edgeLengthMm) {
+  double edge = edgeLengthMm;
+  for (const FineSpot& spot : spots) {
+    if (spot.edgeMm >= edge) continue;
+    const double away = std::max(0.0, (x - spot.place).norm() - spot.radiusMm);
+    edge = std::min(edge, spot.edgeMm + kSlope * away);
+  }
+  return edge;
+}
+
+/// Halves the edge length around the crossings; false where it is at its finest already.
+bool refine(const std::vector<Crossing>& crossings, double edgeLengthMm, std::vector<FineSpot>& spots) {
+  const std::vector<FineSpot> before = spots;
+  bool finer = false;
+  for (const Crossing& crossing : crossings) {
+    const double edge = edgeLengthAt(crossing.place, before, edgeLengthMm);
+    if (edge <= kFinest * edgeLengthMm * 1.01) continue;
+    finer = true;
+    const FineSpot spot{crossing.place, edge, std::max(edge / 2, kFinest * edgeLengthMm)};
+    const bool known = std::any_of(spots.begin(), spots.end(), [&](const FineSpot& other) {
+      return other.edgeMm <= spot.edgeMm && (other.place - spot.place).norm() < spot.radiusMm / 4;
+    });
+    if (!known) spots.push_back(spot);
+  }
+  return finer;
+}
+
+struct Attempt {
+  Surface surface;
+  std::vector<Crossing> first, left;
+  int rounds = 0;
+  std::size_t spots = 0;
+};
+
+Attempt remeshedFinely(const Surface& source, double edgeLengthMm, const Progress& progress) {
+  Attempt attempt;
+  std::vector<FineSpot> spots;
+  for (int round = 0;; ++round) {
+    const Progress step = progress.part(round / (kRounds + 1.0), (round + 1) / (kRounds + 1.0));
+    attempt.surface =
+        spots.empty() ? remeshIsotropic(source, edgeLengthMm, 6, step)
+                      : remeshIsotropic(
+                            source, [&](const Vector3d& x) { return edgeLengthAt(x, spots, edgeLengthMm); },
+                            kFinest * edgeLengthMm, 6, step);
+    attempt.left = selfCrossings(attempt.surface);
+    attempt.rounds = round;
+    attempt.spots = spots.size();
+    if (round == 0) attempt.first = attempt.left;
+    if (attempt.left.empty() || round == kRounds || !refine(attempt.left, edgeLengthMm, spots))
+      return attempt;
+  }
+}
+
+std::string words(const char* format, double a, double b) {
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(), format, a, b);
+  return text.data();
+}
+
+}  // namespace
+
+MeshableSurface meshableSurface(const Surface& surface, double edgeLengthMm, double maxRepairMm,
+                                const Progress& progress) {
+  // Radii of the balls that close clefts and cut threads, as shares of the edge length; none first.
+  constexpr std::array<std::array<double, 2>, 6> kBalls{
+      {{0, 0}, {0.1, 0.1}, {0.2, 0.1}, {0.3, 0.15}, {0.4, 0.25}, {0.5, 0.4}}};
+  MeshableSurface result;
+  const bool sound = selfCrossings(surface).empty();
+  for (std::size_t i = 0; i < kBalls.size(); ++i) {
+    const Progress step = progress.part(static_cast<double>(i) / kBalls.size(), (i + 1.0) / kBalls.size());
+    const double close = kBalls[i][0] * edgeLengthMm, open = kBalls[i][1] * edgeLengthMm;
+    if (std::max(close, open) > maxRepairMm) break;
+    if (i > 0) step.report(0, "Closing narrow clefts");
+    const Surface source = i == 0 ? surface : roundedSurface(surface, close, open, edgeLengthMm / 5);
+    Attempt attempt = i == 0 && !sound ? Attempt{remeshIsotropic(surface, edgeLengthMm), {}, {}, 0, 0}
+                                       : remeshedFinely(source, edgeLengthMm, step.part(0.4, 1));
+    if (i == 0) {
+      if (!sound) attempt.first = attempt.left = selfCrossings(attempt.surface);
+      if (!sound && attempt.left.empty()) attempt.left = selfCrossings(surface);
+      result.first = attempt.first;
+    }
+    result.surface = std::move(attempt.surface);
+    result.left = std::move(attempt.left);
+    if (!result.left.empty()) continue;
+    if (i > 0)
+      result.repairs.push_back(words(
+          "clefts narrower than %.2g mm closed and threads thinner than %.2g mm cut", 2 * close, 2 * open));
+    if (attempt.rounds > 0)
+      result.repairs.push_back(words("edges made finer, down to %.2g mm, around %.0f narrow places",
+                                     std::max(kFinest, std::pow(0.5, attempt.rounds)) * edgeLengthMm,
+                                     static_cast<double>(attempt.spots)));
+    break;
+  }
+  result.surface.frame = surface.frame;
+  progress.report(1, "Surface ready");
+  return result;
+}
+
+}  // namespace falciform
