@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "Logic/Geometry/GridField.h"
@@ -25,9 +26,9 @@ struct FineSpot {
 double edgeLengthAt(const Vector3d& x, const std::vector<FineSpot>& spots, double edgeLengthMm) {
   double edge = edgeLengthMm;
   for (const FineSpot& spot : spots) {
-    if (spot.edgeMm >= edge) continue;
-    const double away = std::max(0.0, (x - spot.place).norm() - spot.radiusMm);
-    edge = std::min(edge, spot.edgeMm + kSlope * away);
+    const double reach = spot.radiusMm + (edge - spot.edgeMm) / kSlope, away = (x - spot.place).squaredNorm();
+    if (spot.edgeMm >= edge || away >= reach * reach) continue;
+    edge = spot.edgeMm + kSlope * std::max(0.0, std::sqrt(away) - spot.radiusMm);
   }
   return edge;
 }
@@ -56,7 +57,9 @@ struct Attempt {
   std::size_t spots = 0;
 };
 
-Attempt remeshedFinely(const Surface& source, double edgeLengthMm, const Progress& progress) {
+/// `most`: crossings at first from which on finer edges are not tried.
+Attempt remeshedFinely(const Surface& source, double edgeLengthMm, std::size_t most,
+                       const Progress& progress) {
   Attempt attempt;
   std::vector<FineSpot> spots;
   for (int round = 0;; ++round) {
@@ -70,7 +73,8 @@ Attempt remeshedFinely(const Surface& source, double edgeLengthMm, const Progres
     attempt.rounds = round;
     attempt.spots = spots.size();
     if (round == 0) attempt.first = attempt.left;
-    if (attempt.left.empty() || round == kRounds || !refine(attempt.left, edgeLengthMm, spots))
+    if (attempt.left.empty() || attempt.first.size() > most || round == kRounds ||
+        !refine(attempt.left, edgeLengthMm, spots))
       return attempt;
   }
 }
@@ -88,21 +92,24 @@ MeshableSurface meshableSurface(const Surface& surface, double edgeLengthMm, dou
   // Radii of the balls that close clefts and cut threads, as shares of the edge length; none first.
   constexpr std::array<std::array<double, 2>, 6> kBalls{
       {{0, 0}, {0.1, 0.1}, {0.2, 0.1}, {0.3, 0.15}, {0.4, 0.25}, {0.5, 0.4}}};
+  constexpr std::size_t kFew = 12;  // above, the surface is riddled with tunnels, as noise makes them
   MeshableSurface result;
-  const bool sound = selfCrossings(surface).empty();
+  const std::vector<Crossing> own = selfCrossings(surface);
   for (std::size_t i = 0; i < kBalls.size(); ++i) {
     const Progress step = progress.part(static_cast<double>(i) / kBalls.size(), (i + 1.0) / kBalls.size());
     const double close = kBalls[i][0] * edgeLengthMm, open = kBalls[i][1] * edgeLengthMm;
+    const bool mayRound = kBalls[1][0] * edgeLengthMm <= maxRepairMm;
     if (std::max(close, open) > maxRepairMm) break;
+    if (i == 0 && !own.empty() && mayRound) {  // no remeshing mends what the surface itself does
+      result.first = result.left = own;
+      result.surface = surface;
+      continue;
+    }
     if (i > 0) step.report(0, "Closing narrow clefts");
     const Surface source = i == 0 ? surface : roundedSurface(surface, close, open, edgeLengthMm / 5);
-    Attempt attempt = i == 0 && !sound ? Attempt{remeshIsotropic(surface, edgeLengthMm), {}, {}, 0, 0}
-                                       : remeshedFinely(source, edgeLengthMm, step.part(0.4, 1));
-    if (i == 0) {
-      if (!sound) attempt.first = attempt.left = selfCrossings(attempt.surface);
-      if (!sound && attempt.left.empty()) attempt.left = selfCrossings(surface);
-      result.first = attempt.first;
-    }
+    Attempt attempt =
+        remeshedFinely(source, edgeLengthMm, i == 0 && mayRound ? kFew : std::size_t(-1), step.part(0.4, 1));
+    if (i == 0) result.first = attempt.first;
     result.surface = std::move(attempt.surface);
     result.left = std::move(attempt.left);
     if (!result.left.empty()) continue;
@@ -110,7 +117,7 @@ MeshableSurface meshableSurface(const Surface& surface, double edgeLengthMm, dou
       result.repairs.push_back(words(
           "clefts narrower than %.2g mm closed and threads thinner than %.2g mm cut", 2 * close, 2 * open));
     if (attempt.rounds > 0)
-      result.repairs.push_back(words("edges made finer, down to %.2g mm, around %.0f narrow places",
+      result.repairs.push_back(words("edges made finer, down to %.2g mm, around narrow places (%.0f)",
                                      std::max(kFinest, std::pow(0.5, attempt.rounds)) * edgeLengthMm,
                                      static_cast<double>(attempt.spots)));
     break;

@@ -15,7 +15,7 @@ struct MeshRegion {
   Index elements = 0;
   double volumeMm3 = 0;
   double wantedMm3 = 0;    ///< volume that the tumour's surface encloses; 0 for the parenchyma
-  bool conforming = true;  ///< the region's boundary is made of faces of elements
+  bool conforming = true;  ///< the region's boundary is a surface of its own, made of faces
 };
 
 /// What came out, in figures.
@@ -26,7 +26,8 @@ struct MeshReport {
   double minDihedralDeg = 0, medianDihedralDeg = 0;  ///< of the elements' smallest dihedral angles
   double minRadiusRatio = 0;     ///< 3 inscribed / circumscribed radius of the worst element; 1: regular
   double minScaledJacobian = 0;  ///< of the worst element's corners; 1: regular
-  double meanDistanceMm = 0, maxDistanceMm = 0;  ///< between the mesh's boundary and the surface, both ways
+  double meanDistanceMm = 0, maxDistanceMm = 0;  ///< from the mesh's boundary to the surface
+  double maxUncoveredMm = 0;         ///< from the surface to the mesh's boundary: filled clefts, cut threads
   Index crossingPairs = 0;           ///< pairs of triangles that cut through each other before the repair
   std::vector<std::string> repairs;  ///< what was done about them, in words
   std::vector<MeshRegion> regions;   ///< by number

@@ -21,7 +21,8 @@ struct MeshSettings {
   double maxVolumeMm3 = 0;        ///< largest element; 0: about as fine inside as on the surface
   double radiusEdgeRatio = 1.414;
   double minDihedralDeg = 10;
-  double maxRepairMm = 0;  ///< 0: half the edge length
+  double maxRepairMm = 0;     ///< 0: half the edge length
+  bool largestPiece = false;  ///< of a surface in several pieces
 };
 
 template <class Visitor>
@@ -45,10 +46,9 @@ void describe(MeshSettings& s, Visitor&& field) {
   field(FieldInfo{"minDihedralDeg", "Smallest dihedral angle", "deg", 0, 16,
                   "Angle between two faces of an element that is aimed at."},
         s.minDihedralDeg);
-  field(
-      FieldInfo{"maxRepairMm", "Largest repair", "mm", 0, 20,
-                "How far a repair may take the mesh's boundary from the surface; 0 is half the edge length."},
-      s.maxRepairMm);
+  field(FieldInfo{"maxRepairMm", "Largest repair", "mm", 0, 20,
+                  "Largest radius of the balls that close clefts; 0 is half the edge length."},
+        s.maxRepairMm);
 }
 
 }  // namespace falciform

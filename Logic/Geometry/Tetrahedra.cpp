@@ -6,7 +6,11 @@
 
 namespace falciform {
 
-TetrahedralMesh tetrahedralise(const Surface&, double) {
+TetrahedralMesh tetrahedralise(const Surface& surface, double) {
+  return tetrahedralise(surface, TetrahedraPlan{});
+}
+
+TetrahedralMesh tetrahedralise(const Surface&, const TetrahedraPlan&) {
   throw InputError(
       "this build is without TetGen, so it cannot fill a surface with tetrahedra; build with "
       "-DFALCIFORM_WITH_TETGEN=ON (Docs/Licences.md says what that means)");
@@ -18,9 +22,12 @@ TetrahedralMesh tetrahedralise(const Surface&, double) {
 
 #include <tetgen.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -30,6 +37,7 @@ TetrahedralMesh tetrahedralise(const Surface&, double) {
 
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Geometry/Topology.h"
+#include "Logic/Geometry/TriangleTree.h"
 
 namespace falciform {
 namespace {
@@ -45,36 +53,78 @@ void checkClosed(const Surface& surface) {
                      " mm3); turn them round before filling it with tetrahedra");
 }
 
-/// TetGen's description of the surface: points, and one facet of one polygon a triangle. `facets` and
-/// `polygons` own what `in` points to, and must be taken out of it again before it dies: see fill().
+/// A place just inside `inner[which]` and not inside those that it may hold: half-way along the longest of
+/// the ways inwards from its triangles to the next one.
+Vector3d placeInside(const std::vector<Surface>& inner, std::size_t which) {
+  std::vector<TriangleTree> trees;
+  for (const Surface& surface : inner) trees.emplace_back(surface);
+  const Triangles& triangles = inner[which].triangles;
+  const Index step = std::max<Index>(1, triangles.rows() / 200);
+  double longest = 0;
+  Vector3d best = Vector3d::Zero();
+  for (Index t = 0; t < triangles.rows(); t += step) {
+    const Vector3d inwards = -trees[which].triangleNormal(static_cast<int>(t));
+    const Vector3d middle =
+        inner[which].points(triangles.row(t).transpose().eval(), Eigen::all).colwise().mean().transpose();
+    const Vector3d start = middle + 1e-6 * inwards;  // mm: past the triangle itself
+    double way = std::numeric_limits<double>::infinity();
+    for (const TriangleTree& tree : trees)
+      if (const auto hit = tree.cast(start, inwards)) way = std::min(way, hit->distance);
+    if (!std::isfinite(way) || way <= longest) continue;
+    longest = way;
+    best = start + way / 2 * inwards;
+  }
+  return best;
+}
+
+/// TetGen's description of the surfaces: points, and one facet of one polygon a triangle. The vectors own
+/// what `in` points to.
 struct TetGenInput {
   tetgenio in;
   std::vector<tetgenio::facet> facets;
   std::vector<tetgenio::polygon> polygons;
   std::vector<int> corners;
-  std::vector<double> coordinates;
+  std::vector<double> coordinates, regions;
 
-  explicit TetGenInput(const Surface& surface)
-      : facets(static_cast<std::size_t>(surface.triangles.rows())),
-        polygons(facets.size()),
-        corners(surface.triangles.data(), surface.triangles.data() + surface.triangles.size()),
-        coordinates(surface.points.data(), surface.points.data() + surface.points.size()) {
+  TetGenInput(const Surface& surface, const TetrahedraPlan& plan) {
+    add(surface);
+    for (const Surface& inner : plan.inner) add(inner);
+    coordinates.insert(coordinates.end(), plan.extra.data(), plan.extra.data() + plan.extra.size());
+    for (std::size_t k = 0; k < plan.innerMaxVolumeMm3.size(); ++k) {
+      if (plan.innerMaxVolumeMm3[k] <= 0) continue;
+      const Vector3d place = placeInside(plan.inner, k);
+      regions.insert(regions.end(), {place.x(), place.y(), place.z(), static_cast<double>(k + 1),
+                                     plan.innerMaxVolumeMm3[k]});
+    }
+    polygons.resize(corners.size() / 3);
+    facets.resize(polygons.size());
     for (std::size_t i = 0; i < facets.size(); ++i) {
       polygons[i] = {.vertexlist = corners.data() + 3 * i, .numberofvertices = 3};
       facets[i] = {
           .polygonlist = &polygons[i], .numberofpolygons = 1, .holelist = nullptr, .numberofholes = 0};
     }
-    in.numberofpoints = static_cast<int>(surface.size());
+    in.numberofpoints = static_cast<int>(coordinates.size() / 3);
     in.pointlist = coordinates.data();
     in.numberoffacets = static_cast<int>(facets.size());
     in.facetlist = facets.data();
+    in.numberofregions = static_cast<int>(regions.size() / 5);
+    in.regionlist = regions.empty() ? nullptr : regions.data();
   }
   TetGenInput(const TetGenInput&) = delete;
   TetGenInput& operator=(const TetGenInput&) = delete;
   ~TetGenInput() {  // tetgenio would delete[] what the vectors own
-    in.pointlist = nullptr;
+    in.pointlist = in.regionlist = nullptr;
     in.facetlist = nullptr;
-    in.numberofpoints = in.numberoffacets = 0;
+    in.numberofpoints = in.numberoffacets = in.numberofregions = 0;
+  }
+
+ private:
+  void add(const Surface& surface) {
+    const int first = static_cast<int>(coordinates.size() / 3);
+    coordinates.insert(coordinates.end(), surface.points.data(),
+                       surface.points.data() + surface.points.size());
+    for (Index i = 0; i < surface.triangles.size(); ++i)
+      corners.push_back(surface.triangles.data()[i] + first);
   }
 };
 
@@ -108,22 +158,25 @@ void callSteps(tetgenbehavior& behaviour, tetgenio& in, tetgenio& out) {
 }
 
 /// TetGen throws ints: 1 is out of memory, 3 a self-intersection; the others have one remedy.
-void runTetGen(tetgenio& in, tetgenio& out, double maxVolumeMm3) {
-  // p: fill a boundary; q: radius-edge ratio and dihedral angle; Y: no new points on the boundary; Q: quiet.
-  std::string switches = "pq1.414/10YQ";
-  if (maxVolumeMm3 > 0) {
-    char bound[40];
-    std::snprintf(bound, sizeof bound, "a%.9f", maxVolumeMm3);
-    switches += bound;
+void runTetGen(TetGenInput& input, tetgenio& out, const TetrahedraPlan& plan) {
+  // p: fill a boundary; q: radius-edge ratio and dihedral angle; Y: no new points on the boundary; Q: quiet;
+  // a: largest volume, by region and in all.
+  std::array<char, 100> text{};
+  std::snprintf(text.data(), text.size(), "pq%.4f/%.3f%sYQ", plan.radiusEdgeRatio, plan.minDihedralDeg,
+                input.regions.empty() ? "" : "a");
+  std::string switches = text.data();
+  if (plan.maxVolumeMm3 > 0) {
+    std::snprintf(text.data(), text.size(), "a%.9f", plan.maxVolumeMm3);
+    switches += text.data();
   }
   tetgenbehavior behaviour;
   if (!behaviour.parse_commandline(switches.data()))
-    throw InputError("the largest tetrahedron is " + std::to_string(maxVolumeMm3) +
+    throw InputError("the largest tetrahedron is " + std::to_string(plan.maxVolumeMm3) +
                      " mm3, which TetGen cannot use; take 1e-3 or more");
   static std::mutex oneAtATime;  // the exact predicates' error bounds are global to TetGen
   const std::lock_guard lock(oneAtATime);
   try {
-    callSteps(behaviour, in, out);
+    callSteps(behaviour, input.in, out);
   } catch (int code) {
     if (code == 1) throw std::bad_alloc();
     throw InputError(
@@ -163,14 +216,22 @@ void checkFilled(const TetrahedralMesh& mesh, const Surface& surface) {
 }  // namespace
 
 TetrahedralMesh tetrahedralise(const Surface& surface, double maxVolumeMm3) {
-  if (!(maxVolumeMm3 >= 0) || !std::isfinite(maxVolumeMm3))
-    throw InputError("the largest tetrahedron is " + std::to_string(maxVolumeMm3) +
+  return tetrahedralise(surface, {.maxVolumeMm3 = maxVolumeMm3});
+}
+
+TetrahedralMesh tetrahedralise(const Surface& surface, const TetrahedraPlan& plan) {
+  if (!(plan.maxVolumeMm3 >= 0) || !std::isfinite(plan.maxVolumeMm3))
+    throw InputError("the largest tetrahedron is " + std::to_string(plan.maxVolumeMm3) +
                      " mm3; give a volume above 0, or 0 for no bound");
   checkSurface(surface, "the surface to fill");
   checkClosed(surface);
-  TetGenInput input(surface);
+  for (const Surface& inner : plan.inner) {
+    checkSurface(inner, "a surface inside the one to fill");
+    checkClosed(inner);
+  }
+  TetGenInput input(surface, plan);
   tetgenio out;
-  runTetGen(input.in, out, maxVolumeMm3);
+  runTetGen(input, out, plan);
   const TetrahedralMesh mesh = taken(out);
   checkFilled(mesh, surface);
   return mesh;

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "Logic/Core/Surface.h"
 #include "Logic/Core/TetrahedralMesh.h"
 
@@ -10,5 +12,20 @@ namespace falciform {
 /// the same each time. Throws InputError for an open, inside-out or self-intersecting surface, and when this
 /// build is without TetGen (CMake switch FALCIFORM_WITH_TETGEN; Docs/Licences.md).
 [[nodiscard]] TetrahedralMesh tetrahedralise(const Surface& surface, double maxVolumeMm3 = 0);
+
+/// How a surface is filled, and with what inside.
+struct TetrahedraPlan {
+  double maxVolumeMm3 = 0;         ///< as above
+  double radiusEdgeRatio = 1.414;  ///< largest circumscribed radius over shortest edge aimed at
+  double minDihedralDeg = 10;      ///< aimed at
+  /// Closed surfaces inside that do not touch it or each other: their triangles become faces of tetrahedra.
+  std::vector<Surface> inner = {};
+  std::vector<double> innerMaxVolumeMm3 = {};  ///< of the tetrahedra just inside each; 0 or empty: as outside
+  Points extra = {};                           ///< places inside that become nodes
+};
+
+/// The same with inner surfaces. Nodes: the surface's points, those of the inner surfaces in their order, the
+/// extra ones, then TetGen's own.
+[[nodiscard]] TetrahedralMesh tetrahedralise(const Surface& surface, const TetrahedraPlan& plan);
 
 }  // namespace falciform
