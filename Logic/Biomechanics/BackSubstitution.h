@@ -11,7 +11,7 @@ namespace falciform {
 class BackSubstitution {
  public:
   /// `last`: how many variables at the end of the order are given. The factor may be dropped afterwards.
-  BackSubstitution(const SupernodalView& factor, std::int64_t last);
+  BackSubstitution(const SparseCholesky& factor, std::int64_t last);
 
   /// `values`: all variables by columns in the factor's order, those at the end given, the others
   /// overwritten.
@@ -21,13 +21,13 @@ class BackSubstitution {
   struct Panel {
     std::int64_t firstColumn, width, height, values, rows;  ///< places in values_ and rows_
   };
-  void solvePanel(const Panel& panel, Eigen::MatrixXf& values, std::vector<float>& space) const;
+  void solvePanel(const Panel& panel, Eigen::MatrixXf& values, bool parallel,
+                  std::vector<float>& space) const;
 
-  std::vector<float> values_;
+  LargeArray<float> values_;
   std::vector<std::int64_t> rows_;
   std::vector<Panel> panels_;
-  std::vector<int> trunk_;                  ///< panels in order of work
-  std::vector<std::vector<int>> branches_;  ///< independent of each other, after the trunk
+  ForestCut cut_;
 };
 
 }  // namespace falciform

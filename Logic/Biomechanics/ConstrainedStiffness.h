@@ -1,5 +1,6 @@
 #pragma once
 #include "Logic/Biomechanics/ReducedStiffness.h"
+#include "Logic/Biomechanics/SparseCholesky.h"
 
 namespace falciform {
 
@@ -21,7 +22,7 @@ class ConstrainedStiffness {
 
   [[nodiscard]] const StiffnessMatrix& stiffness() const { return stiffness_; }
   [[nodiscard]] Index freeDirections() const { return static_cast<Index>(reduced_.directions().size()); }
-  [[nodiscard]] double factorEntries() const { return factor_.entries(); }
+  [[nodiscard]] const SparseCholesky& factor() const { return factor_; }
 
  private:
   StiffnessMatrix stiffness_;

@@ -1,7 +1,7 @@
 #pragma once
 #include <utility>
 
-#include "Logic/Biomechanics/SparseCholesky.h"
+#include "Logic/Biomechanics/SupernodalStructure.h"
 #include "Logic/Biomechanics/Supports.h"
 
 namespace falciform {

@@ -1,177 +1,230 @@
 #include "Logic/Biomechanics/SparseCholesky.h"
 
-#include "Logic/Core/Errors.h"
+#include <algorithm>
+#include <atomic>
 
-#ifndef FALCIFORM_WITH_CHOLMOD
-
-namespace falciform {
-
-struct SparseCholesky::Factor {};
-
-namespace {
-[[noreturn]] void refuse() {
-  throw InputError(
-      "this build is without CHOLMOD, so it cannot solve for deformations; build with "
-      "-DFALCIFORM_WITH_CHOLMOD=ON (Docs/Licences.md says what that means)");
-}
-}  // namespace
-
-std::vector<int> nestedDissection(const NodeGraph&, const std::vector<char>&) { refuse(); }
-SparseCholesky::SparseCholesky(const SparseLower&, const std::vector<std::int64_t>&, const Progress&) {
-  refuse();
-}
-void SparseCholesky::solve(Eigen::MatrixXd&) const { refuse(); }
-double SparseCholesky::entries() const { return 0; }
-SupernodalView SparseCholesky::supernodes() const { return {}; }
-
-}  // namespace falciform
-
-#else
-
-#include <suitesparse/cholmod.h>
-
-#include <mutex>
-#include <new>
-#include <string>
-
+#include "Logic/Biomechanics/BufferPool.h"
 #include "Logic/Biomechanics/DenseAlgebra.h"
+#include "Logic/Core/Errors.h"
+#include "Logic/Core/Parallel.h"
 
 namespace falciform {
 namespace {
 
-/// CHOLMOD's workspace and error state.
-struct Common {
-  cholmod_common state{};
-  Common() {
-    cholmod_l_start(&state);
-    state.print = 0;
-    state.supernodal = CHOLMOD_SUPERNODAL;
-    state.nmethods = 1;
-    state.method[0].ordering = CHOLMOD_GIVEN;
-    state.postorder = 1;
-    state.quick_return_if_not_posdef = 1;
-  }
-  Common(const Common&) = delete;
-  Common& operator=(const Common&) = delete;
-  ~Common() { cholmod_l_finish(&state); }
-};
+/// Enough subtrees that a few dozen threads stay busy, whatever their number.
+constexpr std::size_t kBranches = 48;
 
-/// A view of our arrays as CHOLMOD's matrix; nothing is copied or owned.
-cholmod_sparse viewOf(const SparseLower& matrix, bool pattern) {
-  cholmod_sparse view{};
-  view.nrow = view.ncol = static_cast<std::size_t>(matrix.size());
-  view.nzmax = matrix.rows.size();
-  view.p = const_cast<std::int64_t*>(matrix.begin.data());
-  view.i = const_cast<std::int64_t*>(matrix.rows.data());
-  view.x = pattern ? nullptr : const_cast<double*>(matrix.values.data());
-  view.stype = -1;
-  view.itype = CHOLMOD_LONG;
-  view.xtype = pattern ? CHOLMOD_PATTERN : CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  view.sorted = view.packed = 1;
-  return view;
-}
-
-void checkMemory(const cholmod_common& state) {
-  if (state.status == CHOLMOD_OUT_OF_MEMORY || state.status == CHOLMOD_TOO_LARGE) throw std::bad_alloc();
-}
-
-}  // namespace
-
-std::vector<int> nestedDissection(const NodeGraph& graph, const std::vector<char>& kept) {
-  std::vector<int> nodes, place(static_cast<std::size_t>(graph.nodes()), -1);
-  for (Index i = 0; i < graph.nodes(); ++i) {
-    if (!kept.empty() && kept[static_cast<std::size_t>(i)] == 0) continue;
-    place[static_cast<std::size_t>(i)] = static_cast<int>(nodes.size());
-    nodes.push_back(static_cast<int>(i));
-  }
-  SparseLower pattern{.begin = {0}, .rows = {}, .values = {}};
-  for (const int node : nodes) {
-    const auto i = static_cast<std::size_t>(node);
-    for (std::size_t at = graph.begin[i]; at < graph.begin[i + 1]; ++at) {
-      const int j = graph.neighbours[at];
-      if (j >= node && place[static_cast<std::size_t>(j)] >= 0)
-        pattern.rows.push_back(place[static_cast<std::size_t>(j)]);
-    }
-    pattern.begin.push_back(static_cast<std::int64_t>(pattern.rows.size()));
-  }
-  if (nodes.empty()) return nodes;
-  Common common;
-  cholmod_sparse view = viewOf(pattern, true);
-  std::vector<SuiteSparse_long> order(nodes.size());
-  cholmod_l_metis(&view, nullptr, 0, 1, order.data(), &common.state);
-  checkMemory(common.state);
-  std::vector<int> result(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k) result[k] = nodes[static_cast<std::size_t>(order[k])];
+/// P A P' of the order: lower triangle by columns.
+SparseLower permuted(const SparseLower& matrix, const std::vector<std::int64_t>& order) {
+  const auto size = static_cast<std::size_t>(matrix.size());
+  std::vector<std::int64_t> place(size);
+  for (std::size_t j = 0; j < size; ++j)
+    place[static_cast<std::size_t>(order[j])] = static_cast<std::int64_t>(j);
+  const auto forAll = [&](const auto& act) {
+    for (std::size_t c = 0; c < size; ++c)
+      for (auto at = static_cast<std::size_t>(matrix.begin[c]);
+           at < static_cast<std::size_t>(matrix.begin[c + 1]); ++at) {
+        const std::int64_t a = place[c], b = place[static_cast<std::size_t>(matrix.rows[at])];
+        act(std::max(a, b), static_cast<std::size_t>(std::min(a, b)), matrix.values[at]);
+      }
+  };
+  SparseLower result;
+  result.begin.assign(size + 1, 0);
+  forAll([&](std::int64_t, std::size_t column, double) { ++result.begin[column + 1]; });
+  for (std::size_t c = 0; c < size; ++c) result.begin[c + 1] += result.begin[c];
+  result.rows.resize(matrix.rows.size());
+  result.values.resize(matrix.rows.size());
+  std::vector<std::int64_t> next(result.begin.begin(), result.begin.end() - 1);
+  forAll([&](std::int64_t row, std::size_t column, double value) {
+    const auto at = static_cast<std::size_t>(next[column]++);
+    result.rows[at] = row;
+    result.values[at] = value;
+  });
   return result;
 }
 
-struct SparseCholesky::Factor {
-  Common common;
-  cholmod_factor* factor = nullptr;
-  std::mutex guard;  ///< CHOLMOD's workspace serves one solve at a time
-  Factor() = default;
-  Factor(const Factor&) = delete;
-  Factor& operator=(const Factor&) = delete;
-  ~Factor() { cholmod_l_free_factor(&factor, &common.state); }
+std::vector<double> operationsOf(const SupernodalStructure& structure) {
+  std::vector<double> work;
+  for (std::size_t s = 0; s < structure.supernodes(); ++s) {
+    const auto h = static_cast<double>(structure.height(s)), w = static_cast<double>(structure.width(s));
+    work.push_back(w * h * h - w * w * h + w * w * w / 3);  // columns of height h, h - 1, ...
+  }
+  return work;
+}
+
+}  // namespace
+
+/// The numeric factorisation at work: updates wait at their supernode until the parent takes them up.
+struct SparseCholesky::Fronts {
+  const SupernodalStructure& structure;
+  const SparseLower& matrix;  ///< permuted
+  double* values;
+  std::vector<std::vector<int>> children;
+  BufferPool pool;
+  std::vector<BufferPool::Buffer> updates;  ///< lower triangle of (height - width) squared
+  std::atomic<bool> definite{true};
+
+  Fronts(const SupernodalStructure& s, const SparseLower& m, double* v)
+      : structure(s), matrix(m), values(v), children(s.supernodes()), updates(s.supernodes()) {
+    for (std::size_t k = 0; k < s.supernodes(); ++k)
+      if (s.parents[k] >= 0) children[static_cast<std::size_t>(s.parents[k])].push_back(static_cast<int>(k));
+  }
+
+  /// `places`: as many as the matrix has rows; receives the front's rows.
+  void factorise(std::size_t s, std::vector<int>& places, bool parallel);
+  void addMatrix(std::size_t s, const std::vector<int>& places);
+  void addUpdate(std::size_t s, std::size_t child, const std::vector<int>& places, bool parallel);
 };
 
+void SparseCholesky::Fronts::addMatrix(std::size_t s, const std::vector<int>& places) {
+  const std::int64_t height = structure.height(s);
+  for (std::int64_t column = structure.super[s]; column < structure.super[s + 1]; ++column) {
+    double* to = values + structure.valuesBegin[s] + (column - structure.super[s]) * height;
+    const auto c = static_cast<std::size_t>(column);
+    for (auto at = static_cast<std::size_t>(matrix.begin[c]);
+         at < static_cast<std::size_t>(matrix.begin[c + 1]); ++at)
+      to[places[static_cast<std::size_t>(matrix.rows[at])]] += matrix.values[at];
+  }
+}
+
+void SparseCholesky::Fronts::addUpdate(std::size_t s, std::size_t child, const std::vector<int>& places,
+                                       bool parallel) {
+  const std::int64_t height = structure.height(s), width = structure.width(s), rest = height - width;
+  const std::int64_t size = structure.height(child) - structure.width(child);
+  if (size == 0) return;
+  const std::int64_t* rows = structure.rows.data() + structure.rowsBegin[child] + structure.width(child);
+  std::vector<std::int64_t> there(static_cast<std::size_t>(size));
+  for (std::int64_t k = 0; k < size; ++k)
+    there[static_cast<std::size_t>(k)] = places[static_cast<std::size_t>(rows[k])];
+  const double* from = updates[child].data.get();
+  const auto columns = [&](std::size_t first, std::size_t last) {
+    for (std::size_t j = first; j < last; ++j) {
+      const std::int64_t column = there[j];
+      double* to = column < width ? values + structure.valuesBegin[s] + column * height
+                                  : updates[s].data.get() + (column - width) * rest - width;
+      const double* source = from + static_cast<std::int64_t>(j) * size;
+      for (auto i = static_cast<std::int64_t>(j); i < size; ++i)
+        to[there[static_cast<std::size_t>(i)]] += source[i];
+    }
+  };
+  if (parallel)
+    forEachChunk(static_cast<std::size_t>(size), 64, columns);
+  else
+    columns(0, static_cast<std::size_t>(size));
+  pool.giveBack(std::move(updates[child]));
+}
+
+void SparseCholesky::Fronts::factorise(std::size_t s, std::vector<int>& places, bool parallel) {
+  const std::int64_t height = structure.height(s), width = structure.width(s), rest = height - width;
+  for (std::int64_t k = 0; k < height; ++k)
+    places[static_cast<std::size_t>(structure.rows[static_cast<std::size_t>(structure.rowsBegin[s] + k)])] =
+        static_cast<int>(k);
+  double* panel = values + structure.valuesBegin[s];
+  std::fill_n(panel, height * width, 0.0);
+  if (rest > 0) {
+    updates[s] = pool.take(static_cast<std::size_t>(rest * rest));
+    for (std::int64_t j = 0; j < rest; ++j)  // its lower triangle
+      std::fill(updates[s].data.get() + j * rest + j, updates[s].data.get() + (j + 1) * rest, 0.0);
+  }
+  addMatrix(s, places);
+  for (const int child : children[s]) addUpdate(s, static_cast<std::size_t>(child), places, parallel);
+  if (!factorisePanel(panel, height, width, updates[s].data.get(), parallel)) definite = false;
+}
+
 SparseCholesky::SparseCholesky(const SparseLower& matrix, const std::vector<std::int64_t>& order,
-                               const Progress& progress)
-    : factor_(std::make_shared<Factor>()) {
-  static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
+                               const Progress& progress) {
   keepBlasSingleThreaded();
-  progress.report(0, "Factorising the stiffness");
-  cholmod_common* state = &factor_->common.state;
-  cholmod_sparse view = viewOf(matrix, false);
-  std::vector<SuiteSparse_long> given(order.begin(), order.end());
-  factor_->factor = cholmod_l_analyze_p(&view, given.data(), nullptr, 0, state);
-  checkMemory(*state);
-  if (factor_->factor == nullptr) throw std::runtime_error("CHOLMOD could not analyse the stiffness matrix");
-  progress.report(0.1);
-  cholmod_l_factorize(&view, factor_->factor, state);
-  checkMemory(*state);
-  if (state->status == CHOLMOD_NOT_POSDEF || factor_->factor->minor < factor_->factor->n)
+  progress.report(0, "Analysing the stiffness");
+  structure_ = analyseSupernodes(matrix, order);
+  const std::vector<double> work = operationsOf(structure_);
+  cut_ = cutForest(structure_.parents, work, kBranches);
+  for (const double w : work) operations_ += w;
+  values_ = largeArray<double>(static_cast<std::size_t>(entries()));
+  const SparseLower ordered = permuted(matrix, structure_.order);
+  progress.report(0.1, "Factorising the stiffness");
+  Fronts fronts(structure_, ordered, values_.get());
+  forEachChunk(cut_.branches.size(), 1, [&](std::size_t first, std::size_t last) {
+    std::vector<int> places(order.size());
+    for (std::size_t b = first; b < last; ++b)
+      for (const int s : cut_.branches[b])
+        if (fronts.definite && !progress.stopRequested())
+          fronts.factorise(static_cast<std::size_t>(s), places, false);
+  });
+  std::vector<int> places(order.size());
+  double done = operations_;
+  for (const int s : cut_.trunk) done -= work[static_cast<std::size_t>(s)];
+  for (const int s : cut_.trunk) {
+    progress.report(0.1 + 0.9 * done / operations_);
+    if (fronts.definite) fronts.factorise(static_cast<std::size_t>(s), places, true);
+    done += work[static_cast<std::size_t>(s)];
+  }
+  if (!fronts.definite)
     throw InputError(
         "the stiffness is not positive definite: the supports do not hold every piece of the mesh, or an "
-        "element is "
-        "nearly flat; add supports or mesh anew");
+        "element "
+        "is nearly flat; add supports or mesh anew");
   progress.report(1);
 }
 
-void SparseCholesky::solve(Eigen::MatrixXd& rightHandSides) const {
-  const std::lock_guard lock(factor_->guard);
+void SparseCholesky::solve(Eigen::MatrixXd& x) const {
   keepBlasSingleThreaded();
-  cholmod_dense view{};
-  view.nrow = view.d = static_cast<std::size_t>(rightHandSides.rows());
-  view.ncol = static_cast<std::size_t>(rightHandSides.cols());
-  view.nzmax = view.nrow * view.ncol;
-  view.x = rightHandSides.data();
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  cholmod_common* state = &factor_->common.state;
-  cholmod_dense* solution = cholmod_l_solve(CHOLMOD_A, factor_->factor, &view, state);
-  checkMemory(*state);
-  rightHandSides = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(solution->x),
-                                                     rightHandSides.rows(), rightHandSides.cols());
-  cholmod_l_free_dense(&solution, state);
-}
-
-double SparseCholesky::entries() const { return static_cast<double>(factor_->factor->xsize); }
-
-SupernodalView SparseCholesky::supernodes() const {
-  const cholmod_factor& f = *factor_->factor;
-  const auto span = [](const void* from, std::size_t count) {
-    return std::span<const std::int64_t>(static_cast<const std::int64_t*>(from), count);
+  const Index columns = x.cols();
+  Eigen::MatrixXd y(x.rows(), columns);
+  for (Index j = 0; j < x.rows(); ++j) y.row(j) = x.row(structure_.order[static_cast<std::size_t>(j)]);
+  // Forwards as the fronts went: what a supernode subtracts from rows above waits for its parent, so that no
+  // two branches write one row and the sums' order is fixed.
+  std::vector<Eigen::MatrixXd> waiting(structure_.supernodes());
+  std::vector<std::vector<int>> children(structure_.supernodes());
+  for (std::size_t s = 0; s < structure_.supernodes(); ++s)
+    if (structure_.parents[s] >= 0)
+      children[static_cast<std::size_t>(structure_.parents[s])].push_back(static_cast<int>(s));
+  const auto forwards = [&](std::size_t s, std::vector<int>& places) {
+    const std::int64_t height = structure_.height(s), width = structure_.width(s),
+                       first = structure_.super[s];
+    const std::int64_t* rows = structure_.rows.data() + structure_.rowsBegin[s];
+    for (std::int64_t k = 0; k < height; ++k) places[static_cast<std::size_t>(rows[k])] = static_cast<int>(k);
+    Eigen::MatrixXd front = Eigen::MatrixXd::Zero(height, columns);
+    front.topRows(width) = y.middleRows(first, width);
+    for (const int child : children[s]) {
+      const auto c = static_cast<std::size_t>(child);
+      const std::int64_t* from = structure_.rows.data() + structure_.rowsBegin[c] + structure_.width(c);
+      for (Index k = 0; k < waiting[c].rows(); ++k)
+        front.row(places[static_cast<std::size_t>(from[k])]) += waiting[c].row(k);
+      waiting[c].resize(0, 0);
+    }
+    const double* panel = values_.get() + structure_.valuesBegin[s];
+    solveLower(panel, height, width, front.data(), height, columns);
+    y.middleRows(first, width) = front.topRows(width);
+    if (height == width) return;
+    subtractProduct(panel + width, height, height - width, width, front.data(), height, front.data() + width,
+                    height, columns);
+    waiting[s] = front.bottomRows(height - width);
   };
-  return {.super = span(f.super, f.nsuper + 1),
-          .rowsBegin = span(f.pi, f.nsuper + 1),
-          .valuesBegin = span(f.px, f.nsuper + 1),
-          .rows = span(f.s, f.ssize),
-          .order = span(f.Perm, f.n),
-          .values = static_cast<const double*>(f.x)};
+  const auto backwards = [&](std::size_t s) {
+    const std::int64_t height = structure_.height(s), width = structure_.width(s),
+                       first = structure_.super[s];
+    const std::int64_t* rows = structure_.rows.data() + structure_.rowsBegin[s];
+    Eigen::MatrixXd above(height - width, columns);
+    for (std::int64_t k = width; k < height; ++k) above.row(k - width) = y.row(rows[k]);
+    const double* panel = values_.get() + structure_.valuesBegin[s];
+    subtractTransposedProduct(panel + width, height, height - width, width, above.data(),
+                              std::max<Index>(above.rows(), 1), y.data() + first, y.rows(), columns);
+    solveLowerTransposed(panel, height, width, y.data() + first, y.rows(), columns);
+  };
+  forEachChunk(cut_.branches.size(), 1, [&](std::size_t b, std::size_t end) {
+    std::vector<int> places(structure_.order.size());
+    for (; b < end; ++b)
+      for (const int s : cut_.branches[b]) forwards(static_cast<std::size_t>(s), places);
+  });
+  std::vector<int> places(structure_.order.size());
+  for (const int s : cut_.trunk) forwards(static_cast<std::size_t>(s), places);
+  for (auto s = cut_.trunk.rbegin(); s != cut_.trunk.rend(); ++s) backwards(static_cast<std::size_t>(*s));
+  forEachChunk(cut_.branches.size(), 1, [&](std::size_t b, std::size_t end) {
+    for (; b < end; ++b)
+      for (auto s = cut_.branches[b].rbegin(); s != cut_.branches[b].rend(); ++s)
+        backwards(static_cast<std::size_t>(*s));
+  });
+  for (Index j = 0; j < x.rows(); ++j) x.row(structure_.order[static_cast<std::size_t>(j)]) = y.row(j);
 }
 
 }  // namespace falciform
-
-#endif

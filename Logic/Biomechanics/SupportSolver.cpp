@@ -9,6 +9,7 @@
 
 #include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Core/Errors.h"
+#include "Logic/Core/Parallel.h"
 
 namespace falciform {
 namespace {
@@ -60,7 +61,11 @@ struct SupportSolver::State {
   void factorise(const TetrahedralMesh& mesh, const StiffnessMatrix& stiffness,
                  const std::vector<Material>& materials, const std::vector<char>& last,
                  const Progress& progress);
-  void takeCompliance(const SupernodalView& factor);
+  void takeCompliance(const SparseCholesky& factor);
+  struct Row;
+  [[nodiscard]] Row rowOf(int node, const Vector3d& axis) const;
+  [[nodiscard]] double complianceOf(const Row& a, const Row& b) const;
+  [[nodiscard]] Eigen::MatrixXd moved(const Eigen::MatrixXd& forces) const;
   [[nodiscard]] Eigen::VectorXd candidateForces(const SupportHypothesis& hypothesis,
                                                 Eigen::Matrix<double, 6, 1>& rigid) const;
 };
@@ -140,13 +145,14 @@ void SupportSolver::State::factorise(const TetrahedralMesh& mesh, const Stiffnes
   for (int axis = 0; axis < 3; ++axis)
     weighed[static_cast<std::size_t>(axis)] = reduced->scatter(loads.col(axis));
   progress.report(0.85, "Compliance of the supports");
-  takeCompliance(factor.supernodes());
-  inner.emplace(factor.supernodes(), candidates);
+  takeCompliance(factor);
+  inner.emplace(factor, candidates);
   progress.report(1);
 }
 
-void SupportSolver::State::takeCompliance(const SupernodalView& factor) {
-  order.assign(factor.order.begin(), factor.order.end());
+void SupportSolver::State::takeCompliance(const SparseCholesky& factor) {
+  const SupernodalStructure& structure = factor.structure();
+  order = structure.order;
   const std::int64_t inside = static_cast<std::int64_t>(order.size()) - candidates;
   candidateOf.assign(static_cast<std::size_t>(3 * nodes.rows()), -1);
   for (Index c = 0; c < candidates; ++c)
@@ -154,14 +160,49 @@ void SupportSolver::State::takeCompliance(const SupernodalView& factor) {
         reduced->directions()[static_cast<std::size_t>(order[static_cast<std::size_t>(inside + c)])])] =
         static_cast<int>(c);
   compliance = Eigen::MatrixXd::Zero(candidates, candidates);
-  for (std::size_t s = 0; s + 1 < factor.super.size(); ++s) {
-    const std::int64_t first = factor.super[s], height = factor.rowsBegin[s + 1] - factor.rowsBegin[s];
-    for (std::int64_t column = std::max(first, inside); column < factor.super[s + 1]; ++column)
+  for (std::size_t s = 0; s < structure.supernodes(); ++s) {
+    const std::int64_t first = structure.super[s], height = structure.height(s);
+    const std::int64_t* rows = structure.rows.data() + structure.rowsBegin[s];
+    for (std::int64_t column = std::max(first, inside); column < structure.super[s + 1]; ++column)
       for (std::int64_t r = column - first; r < height; ++r)
-        compliance(factor.rows[static_cast<std::size_t>(factor.rowsBegin[s] + r)] - inside, column - inside) =
-            factor.values[factor.valuesBegin[s] + (column - first) * height + r];
+        compliance(rows[r] - inside, column - inside) =
+            factor.values()[structure.valuesBegin[s] + (column - first) * height + r];
   }
   invertCholesky(compliance);
+}
+
+/// Row of B: a direction of one node, made of up to three candidates.
+struct SupportSolver::State::Row {
+  std::array<int, 3> candidate{-1, -1, -1};
+  Vector3d weight = Vector3d::Zero();
+  int only = -1;  ///< the candidate, if it is one of weight 1
+};
+
+SupportSolver::State::Row SupportSolver::State::rowOf(int node, const Vector3d& axis) const {
+  Row row;
+  row.weight = *reduced->frameOf(node) * axis;
+  for (std::size_t d = 0; d < 3; ++d) {
+    double& weight = row.weight[static_cast<Index>(d)];
+    if (std::abs(weight) < 1e-9) weight = 0;
+    if (weight == 0) continue;
+    row.candidate[d] = candidateOf[3 * static_cast<std::size_t>(node) + d];
+    if (row.candidate[d] < 0)
+      throw InputError("a support holds node " + std::to_string(node) +
+                       " in a direction that is no candidate; widen the candidate supports");
+    if (weight > 1 - 1e-9) row.only = row.candidate[d];
+  }
+  return row;
+}
+
+double SupportSolver::State::complianceOf(const Row& a, const Row& b) const {
+  if (a.only >= 0 && b.only >= 0) return compliance(a.only, b.only);
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (a.candidate[i] >= 0 && b.candidate[j] >= 0)
+        sum += a.weight[static_cast<Index>(i)] * b.weight[static_cast<Index>(j)] *
+               compliance(a.candidate[i], b.candidate[j]);
+  return sum;
 }
 
 /// The forces lambda of a hypothesis as loads of the candidate directions, -B' lambda, and the rigid motion
@@ -169,72 +210,66 @@ void SupportSolver::State::takeCompliance(const SupernodalView& factor) {
 Eigen::VectorXd SupportSolver::State::candidateForces(const SupportHypothesis& hypothesis,
                                                       Eigen::Matrix<double, 6, 1>& rigid) const {
   const std::vector<NodeConstraint> constraints = nodeConstraints(faces, normals, hypothesis.supports);
-  checkHeld(nodes, constraints, faces, hypothesis.supports);
-  // Each row of B: up to three candidate directions of one node, with weights.
-  struct Row {
-    std::array<int, 3> candidate{-1, -1, -1};
-    Vector3d weight = Vector3d::Zero();
-  };
-  std::vector<Row> rows;
-  std::vector<double> values;
-  std::vector<Eigen::Matrix<double, 1, 6>> heldRows;
+  checkHeld(motions, constraints, faces, hypothesis.supports);
   const Vector3d& g = hypothesis.gravityChangeMPerS2;
+  std::vector<Row> rows;
+  std::vector<Eigen::Matrix<double, 1, 7>> sides;  // B K+ f - v, and the row of BR
   for (const NodeConstraint& constraint : constraints) {
-    const Matrix3d* frame = reduced->frameOf(constraint.node);
+    const Matrix3d* own = reduced->frameOf(constraint.node);
+    if (own == nullptr)
+      throw InputError("a support holds node " + std::to_string(constraint.node) +
+                       ", which is no candidate; widen the candidate supports");
+    // Held wholly, any three directions will do: the candidates' own are single rows of C.
+    const Matrix3d& frame = constraint.count == 3 ? *own : constraint.frame;
+    const Vector3d given = frame * (constraint.frame.transpose() * constraint.valuesMm);
     for (int k = 0; k < constraint.count; ++k) {
-      const Vector3d axis = constraint.frame.row(k).transpose();
-      Row row;
-      row.weight = (frame == nullptr ? Matrix3d(Matrix3d::Identity()) : *frame) * axis;
-      for (int d = 0; d < 3; ++d) {
-        row.candidate[static_cast<std::size_t>(d)] =
-            candidateOf[static_cast<std::size_t>(3 * constraint.node + d)];
-        if (row.candidate[static_cast<std::size_t>(d)] >= 0) continue;
-        if (std::abs(row.weight[d]) > 1e-6)
-          throw InputError("a support holds node " + std::to_string(constraint.node) +
-                           " in a direction that is no candidate; widen the candidate supports");
-        row.weight[d] = 0;
-      }
-      rows.push_back(row);
-      const Vector3d free = g[0] * weighed[0].row(constraint.node).transpose() +
-                            g[1] * weighed[1].row(constraint.node).transpose() +
-                            g[2] * weighed[2].row(constraint.node).transpose();
-      values.push_back(axis.dot(free) - constraint.valuesMm[k]);
-      heldRows.push_back(axis.transpose() * motions.middleRows<3>(3 * constraint.node));
+      const Vector3d axis = frame.row(k).transpose();
+      rows.push_back(rowOf(constraint.node, axis));
+      Eigen::Matrix<double, 1, 7> side;
+      side[0] = -given[k];
+      for (std::size_t x = 0; x < 3; ++x)
+        side[0] += g[static_cast<Index>(x)] * axis.dot(weighed[x].row(constraint.node).transpose());
+      side.tail<6>() = axis.transpose() * motions.middleRows<3>(3 * constraint.node);
+      sides.push_back(side);
     }
   }
   const auto count = static_cast<Index>(rows.size());
-  Eigen::MatrixXd right(count, 7);  // r, and the six columns of BR
-  for (Index r = 0; r < count; ++r) {
-    right(r, 0) = values[static_cast<std::size_t>(r)];
-    right.row(r).tail<6>() = heldRows[static_cast<std::size_t>(r)];
-  }
-  const Eigen::MatrixXd held6 = right.rightCols<6>();
-  Eigen::MatrixXd system(count, count);
-  for (Index c = 0; c < count; ++c)
-    for (Index r = c; r < count; ++r) {
-      double sum = 0;
-      const Row &a = rows[static_cast<std::size_t>(r)], &b = rows[static_cast<std::size_t>(c)];
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-          if (a.weight[static_cast<Index>(i)] != 0 && b.weight[static_cast<Index>(j)] != 0)
-            sum += a.weight[static_cast<Index>(i)] * b.weight[static_cast<Index>(j)] *
-                   compliance(a.candidate[i], b.candidate[j]);
-      system(r, c) = sum;
-    }
+  Eigen::MatrixXd right(count, 7), system(count, count);
+  for (Index r = 0; r < count; ++r) right.row(r) = sides[static_cast<std::size_t>(r)];
+  const Eigen::MatrixXd held = right.rightCols<6>();
+  forEachChunk(rows.size(), 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t c = first; c < last; ++c)
+      for (std::size_t r = c; r < rows.size(); ++r)
+        system(static_cast<Index>(r), static_cast<Index>(c)) = complianceOf(rows[r], rows[c]);
+  });
   keepBlasSingleThreaded();
   if (!choleskyInPlace(system))
     throw InputError("the supports contradict each other or repeat; name each region once");
   solveCholesky(system, right);
-  const Eigen::Matrix<double, 6, 6> reduced6 = held6.transpose() * right.rightCols<6>();
-  rigid = reduced6.ldlt().solve(rigidLoads * g - held6.transpose() * right.col(0));
+  const Eigen::Matrix<double, 6, 6> rigidSystem = held.transpose() * right.rightCols<6>();
+  rigid = rigidSystem.ldlt().solve(rigidLoads * g - held.transpose() * right.col(0));
   const Eigen::VectorXd lambda = right.col(0) + right.rightCols<6>() * rigid;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(candidates);
-  for (Index r = 0; r < count; ++r)
+  for (Index r = 0; r < count; ++r) {
+    const Row& row = rows[static_cast<std::size_t>(r)];
     for (std::size_t i = 0; i < 3; ++i)
-      if (rows[static_cast<std::size_t>(r)].candidate[i] >= 0)
-        forces[rows[static_cast<std::size_t>(r)].candidate[i]] -=
-            rows[static_cast<std::size_t>(r)].weight[static_cast<Index>(i)] * lambda[r];
+      if (row.candidate[i] >= 0) forces[row.candidate[i]] -= row.weight[static_cast<Index>(i)] * lambda[r];
+  }
   return forces;
+}
+
+/// C times the forces of each hypothesis; most candidates carry none.
+Eigen::MatrixXd SupportSolver::State::moved(const Eigen::MatrixXd& forces) const {
+  if (forces.cols() > 4) return product(compliance, forces);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(candidates, forces.cols());
+  forEachChunk(static_cast<std::size_t>(candidates), 256, [&](std::size_t first, std::size_t last) {
+    const auto at = static_cast<Index>(first), size = static_cast<Index>(last - first);
+    for (Index h = 0; h < forces.cols(); ++h)
+      for (Index c = 0; c < candidates; ++c)
+        if (forces(c, h) != 0)
+          result.col(h).segment(at, size) += forces(c, h) * compliance.col(c).segment(at, size);
+  });
+  return result;
 }
 
 std::vector<Points> SupportSolver::solve(const std::vector<SupportHypothesis>& hypotheses) const {
@@ -248,7 +283,7 @@ std::vector<Points> SupportSolver::solve(const std::vector<SupportHypothesis>& h
     forces.col(h) = s.candidateForces(hypotheses[static_cast<std::size_t>(h)], motion);
     rigid.col(h) = motion;
   }
-  const Eigen::MatrixXd moved = product(s.compliance, forces);
+  const Eigen::MatrixXd moved = s.moved(forces);
   Eigen::MatrixXf values(static_cast<Index>(s.order.size()), count);
   values.bottomRows(s.candidates) = moved.cast<float>();
   s.inner->solve(values);

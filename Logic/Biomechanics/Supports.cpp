@@ -195,7 +195,12 @@ Eigen::Matrix<double, Eigen::Dynamic, 6> rigidMotions(const Points& nodes) {
 
 void checkHeld(const Points& nodes, const std::vector<NodeConstraint>& constraints,
                const BoundaryFaces& faces, const std::vector<Support>& supports) {
-  const Eigen::Matrix<double, Eigen::Dynamic, 6> motions = rigidMotions(nodes);
+  checkHeld(rigidMotions(nodes), constraints, faces, supports);
+}
+
+void checkHeld(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
+               const std::vector<NodeConstraint>& constraints, const BoundaryFaces& faces,
+               const std::vector<Support>& supports) {
   Eigen::Matrix<double, 6, 6> held = Eigen::Matrix<double, 6, 6>::Zero();
   const auto hold = [&](Index node, const Vector3d& axis) {
     const Eigen::Matrix<double, 6, 1> row = motions.middleRows<3>(3 * node).transpose() * axis;

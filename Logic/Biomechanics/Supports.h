@@ -56,14 +56,17 @@ struct NodeNormals {
 /// Adds the springs of `supports` to K. Throws InputError for a stiffness not above 0.
 void addSprings(StiffnessMatrix& stiffness, const BoundaryFaces& faces, const std::vector<Support>& supports);
 
-/// Throws InputError that says in words how the body can still move (along or about which axis), if the
-/// constraints and springs leave it a rigid motion.
-void checkHeld(const Points& nodes, const std::vector<NodeConstraint>& constraints,
-               const BoundaryFaces& faces, const std::vector<Support>& supports);
-
 /// The six rigid motions about the nodes' centre as columns of 3 N values (x, y, z of node 0, ...):
 /// translations, then rotations by one radian, by unit length of the largest lever so that all six have like
 /// size.
 [[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 6> rigidMotions(const Points& nodes);
+
+/// Throws InputError that says in words how the body can still move (along or about which axis), if the
+/// constraints and springs leave it one of its rigid motions.
+void checkHeld(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
+               const std::vector<NodeConstraint>& constraints, const BoundaryFaces& faces,
+               const std::vector<Support>& supports);
+void checkHeld(const Points& nodes, const std::vector<NodeConstraint>& constraints,
+               const BoundaryFaces& faces, const std::vector<Support>& supports);
 
 }  // namespace falciform
