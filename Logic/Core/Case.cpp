@@ -22,9 +22,15 @@ void Case::setLabels(std::shared_ptr<const LabelMap> labels) {
 }
 
 void Case::setPreop(std::shared_ptr<const Surface> surface) {
+  // Painting a patch makes a new surface of the same shape; supports lie on points and stay with them.
+  const bool otherShape = !surface || !preop_ || surface->points.rows() != preop_->points.rows() ||
+                          surface->points != preop_->points;
+  const bool dropped = otherShape && supports_ != nullptr;
+  if (dropped) supports_.reset();
   preop_ = std::move(surface);
   registrationStale_ = registration_ != nullptr;
   announceWithoutDistance(Part::Preop);
+  if (dropped && !supports_) announce(Part::Supports);
 }
 
 void Case::setScan(std::shared_ptr<const Surface> scan) {
@@ -62,6 +68,11 @@ void Case::setDistance(std::shared_ptr<const DistanceMap> map) {
   announce(Part::Distance);
 }
 
+void Case::setSupports(std::shared_ptr<const SupportPainting> supports) {
+  supports_ = std::move(supports);
+  announce(Part::Supports);
+}
+
 void Case::setName(std::string name) {
   name_ = std::move(name);
   announce(Part::Name);
@@ -76,10 +87,12 @@ void Case::clear() {
   scanLandmarks_ = {};
   registration_.reset();
   distance_.reset();
+  supports_.reset();
   name_ = "Untitled";
   registrationStale_ = false;
-  for (const Part part : {Part::Labels, Part::Preop, Part::Scan, Part::Structures, Part::PreopLandmarks,
-                          Part::ScanLandmarks, Part::Registration, Part::Distance, Part::Name})
+  for (const Part part :
+       {Part::Labels, Part::Preop, Part::Scan, Part::Structures, Part::PreopLandmarks, Part::ScanLandmarks,
+        Part::Registration, Part::Distance, Part::Supports, Part::Name})
     changed.emit(part);
   modified_ = false;
 }

@@ -6,6 +6,7 @@
 #include "Logic/Core/Landmarks.h"
 #include "Logic/Core/Results.h"
 #include "Logic/Core/Signal.h"
+#include "Logic/Core/SupportPainting.h"
 #include "Logic/Core/Surface.h"
 #include "Logic/Core/Volume.h"
 
@@ -25,6 +26,7 @@ class Case {
     ScanLandmarks,
     Registration,
     Distance,
+    Supports,
     Name
   };
 
@@ -43,20 +45,23 @@ class Case {
     return registration_;
   }
   [[nodiscard]] const std::shared_ptr<const DistanceMap>& distance() const { return distance_; }
+  /// What holds and pushes the liver, painted on the points of preop(); nullptr: nothing yet.
+  [[nodiscard]] const std::shared_ptr<const SupportPainting>& supports() const { return supports_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool modified() const { return modified_; }
   /// True when surface or patches changed after the registration was made: it is kept, and marked stale.
   [[nodiscard]] bool registrationStale() const { return registrationStale_; }
 
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  void setPreop(
-      std::shared_ptr<const Surface> surface);  ///< marks the registration stale, drops the distance map
+  /// Marks the registration stale, drops the distance map, and the supports of a surface of another shape.
+  void setPreop(std::shared_ptr<const Surface> surface);
   void setScan(std::shared_ptr<const Surface> scan);                                   ///< the same
   void setStructure(const std::string& name, std::shared_ptr<const Surface> surface);  ///< nullptr removes it
   void setPreopLandmarks(Landmarks landmarks);
   void setScanLandmarks(Landmarks landmarks);
   void setRegistration(std::shared_ptr<const RegistrationResult> result);  ///< drops the distance map
   void setDistance(std::shared_ptr<const DistanceMap> map);
+  void setSupports(std::shared_ptr<const SupportPainting> supports);
   void setName(std::string name);
 
   /// Everything gone, as after construction; connections stay.
@@ -74,6 +79,7 @@ class Case {
   Landmarks preopLandmarks_, scanLandmarks_;
   std::shared_ptr<const RegistrationResult> registration_;
   std::shared_ptr<const DistanceMap> distance_;
+  std::shared_ptr<const SupportPainting> supports_;
   std::string name_ = "Untitled";
   bool modified_ = false, registrationStale_ = false;
 };

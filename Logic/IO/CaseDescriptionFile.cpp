@@ -27,6 +27,7 @@ constexpr TextKey kFileKeys[]{{"labelMap", &CaseDescription::labelMap},
                               {"scanLandmarks", &CaseDescription::scanLandmarks},
                               {"registration", &CaseDescription::registration},
                               {"distance", &CaseDescription::distance},
+                              {"supports", &CaseDescription::supports},
                               {"targets", &CaseDescription::targets},
                               {"truthTargets", &CaseDescription::truthTargets}};
 

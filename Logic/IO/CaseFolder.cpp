@@ -6,6 +6,7 @@
 #include "Logic/IO/JsonFile.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/ResultFiles.h"
+#include "Logic/IO/SupportFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/IO/TransformFiles.h"
 #include "Logic/IO/VolumeFiles.h"
@@ -81,6 +82,11 @@ class CaseSaver {
     writeJsonFile(folder_ / file, json, overwrite_);
     return file;
   }
+  std::string save(const std::shared_ptr<const SupportPainting>& supports, const std::string& file) const {
+    if (!supports) return {};
+    writeJsonFile(folder_ / file, toJson(*supports), overwrite_);
+    return file;
+  }
   std::vector<std::pair<std::string, std::string>> save(
       const std::map<std::string, std::shared_ptr<const Surface>>& structures) const {
     std::vector<std::pair<std::string, std::string>> files;
@@ -112,6 +118,7 @@ class CaseOpener {
     bool stale = false;
     const auto registration = readRegistration(stale);
     const auto distance = readDistance();
+    const auto supports = readSupports(preop);
 
     document.clear();
     document.setName(from_.name);
@@ -125,6 +132,7 @@ class CaseOpener {
     if (!preopLandmarks.points.empty()) document.setPreopLandmarks(preopLandmarks);
     if (!scanLandmarks.points.empty()) document.setScanLandmarks(scanLandmarks);
     if (distance) document.setDistance(distance);
+    if (supports) document.setSupports(supports);
     document.setUnmodified();
     if (!from_.preopPatches.empty())
       warnings_.push_back("the patches of '" + from_.preopPatches +
@@ -180,6 +188,13 @@ class CaseOpener {
     return shared(distanceFromJson(json, std::move(preop), std::move(scan)));
   }
 
+  std::shared_ptr<const SupportPainting> readSupports(const std::shared_ptr<const Surface>& preop) {
+    if (from_.supports.empty()) return nullptr;
+    if (!preop)
+      throw InputError("case.json: 'supports' lie on the surface 'preop', which is not given; name it too");
+    return shared(supportPaintingFromJson(readJsonFile(from_.folder / from_.supports), preop->size()));
+  }
+
   CaseDescription from_;
   std::vector<std::string> warnings_;
 };
@@ -204,6 +219,7 @@ void saveCase(const Case& document, const fs::path& folder, Overwrite overwrite)
   description.registration =
       saver.save(document.registration(), document.registrationStale(), "registration.json");
   description.distance = saver.save(document.distance(), "distance.json");
+  description.supports = saver.save(document.supports(), "supports.json");
   writeCaseDescription(description, overwrite);  // last: until then the old case.json stands
 }
 

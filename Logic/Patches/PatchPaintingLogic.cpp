@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "Logic/Core/Errors.h"
 #include "Logic/Patches/BrushSurface.h"
 
 namespace falciform {
@@ -14,16 +15,16 @@ namespace {
 
 constexpr std::size_t kMaxSteps = 200;
 
-/// One of the two surfaces of the case, its labels as painted and its undo.
+/// One of the three layers of labels, on which surface it lies, and its undo.
 struct Canvas {
   std::shared_ptr<const Surface> surface;  ///< the one in the case, for as long as nobody else sets another
   std::vector<int> labels;
   std::optional<BrushSurface> brush;  ///< made at the first stroke
   std::deque<PatchEdit> undo, redo;
 
-  void take(const std::shared_ptr<const Surface>& newSurface) {
+  void take(const std::shared_ptr<const Surface>& newSurface, const std::vector<int>& newLabels) {
     surface = newSurface;
-    labels = surface ? surface->patch : std::vector<int>();
+    labels = newLabels;
     if (surface) labels.resize(static_cast<std::size_t>(surface->size()), patch::kNone);
     undo.clear();
     redo.clear();
@@ -41,12 +42,35 @@ struct Canvas {
   }
 };
 
+std::vector<int> patchesOf(const std::shared_ptr<const Surface>& surface) {
+  return surface ? surface->patch : std::vector<int>();
+}
+
+/// One label a point, free where the case has no supports yet.
+std::vector<int> supportsOf(const Case& document) {
+  if (!document.preop()) return {};
+  std::vector<int> labels = document.supports() ? document.supports()->labels : std::vector<int>();
+  labels.resize(static_cast<std::size_t>(document.preop()->size()), support_label::kFree);
+  return labels;
+}
+
+/// The case's supports with other labels; whoever paints a label that has no region gets one.
+std::shared_ptr<const SupportPainting> repainted(const Case& document, const std::vector<int>& labels) {
+  SupportPainting painting =
+      document.supports() ? *document.supports() : emptySupportPainting(document.preop()->size());
+  painting.labels = labels;
+  for (const int label : paintedSupports(painting))
+    painting.regions.try_emplace(
+        label, SupportRegion{"support " + std::to_string(label), SupportRegionKind::Fixed, 0});
+  return std::make_shared<const SupportPainting>(std::move(painting));
+}
+
 PatchEdit reversed(const PatchEdit& edit) { return {edit.ids, edit.after, edit.before}; }
 
 }  // namespace
 
 struct PatchPaintingLogic::State {
-  std::array<Canvas, 2> canvases;
+  std::array<Canvas, 3> canvases;
   std::optional<PaintTarget> strokeOn;
   std::map<int, int> strokeBefore;  ///< of the running stroke: id, label before it
   Connection watching;
@@ -56,16 +80,39 @@ struct PatchPaintingLogic::State {
   /// Another surface in the case: what was painted on the old one is history.
   void follow(PaintTarget which, const std::shared_ptr<const Surface>& inCase) {
     if (inCase == of(which).surface) return;  // our own edit
-    if (strokeOn == which) {
-      strokeOn.reset();
-      strokeBefore.clear();
+    dropStroke(which);
+    of(which).take(inCase, patchesOf(inCase));
+  }
+
+  /// Supports lie on the pre-operative surface, whose patches may be painted meanwhile, and their kinds and
+  /// distances may be changed: no news to the brush as long as points and labels are the same.
+  void followSupports(const Case& document) {
+    Canvas& canvas = of(PaintTarget::Supports);
+    const auto& preop = document.preop();
+    const std::vector<int> labels = supportsOf(document);
+    const bool sameShape = preop && canvas.surface && preop->points.rows() == canvas.surface->points.rows() &&
+                           preop->points == canvas.surface->points;
+    if (sameShape && (labels == canvas.labels || strokeOn == PaintTarget::Supports)) {
+      canvas.surface = preop;
+      return;
     }
-    of(which).take(inCase);
+    dropStroke(PaintTarget::Supports);
+    canvas.take(preop, labels);
+  }
+
+  void dropStroke(PaintTarget which) {
+    if (strokeOn != which) return;
+    strokeOn.reset();
+    strokeBefore.clear();
   }
 
   /// Puts the labels into the case as a new surface. The canvas takes it first, to know it again when the
   /// case announces it.
   void commit(PaintTarget which, Case& document) {
+    if (which == PaintTarget::Supports) {
+      document.setSupports(repainted(document, of(which).labels));
+      return;
+    }
     auto painted = std::make_shared<Surface>(*of(which).surface);
     painted->patch = of(which).labels;
     of(which).surface = painted;
@@ -79,7 +126,9 @@ struct PatchPaintingLogic::State {
 PatchPaintingLogic::PatchPaintingLogic(Case& document) : case_(document), state_(std::make_unique<State>()) {
   state_->follow(PaintTarget::Preop, case_.preop());
   state_->follow(PaintTarget::Scan, case_.scan());
+  state_->followSupports(case_);
   state_->watching = case_.changed.connect([this](Case::Part part) {
+    if (part == Case::Part::Preop || part == Case::Part::Supports) state_->followSupports(case_);
     if (part == Case::Part::Preop) state_->follow(PaintTarget::Preop, case_.preop());
     if (part == Case::Part::Scan) state_->follow(PaintTarget::Scan, case_.scan());
   });
@@ -90,7 +139,7 @@ PatchPaintingLogic::~PatchPaintingLogic() = default;
 std::string PatchPaintingLogic::missingInput() const {
   const Canvas& canvas = state_->of(target);
   if (canvas.surface && canvas.surface->size() > 0) return {};
-  return target == PaintTarget::Preop ? "Import or open a surface first." : "Open a scan first.";
+  return target == PaintTarget::Scan ? "Open a scan first." : "Import or open a surface first.";
 }
 
 void PatchPaintingLogic::beginStroke() {
@@ -170,14 +219,24 @@ PatchEdit PatchPaintingLogic::redo() {
 }
 
 PatchEdit PatchPaintingLogic::clearPatch(int which) {
+  if (which == patch::kNone) return {};
+  std::vector<int> labels = state_->of(target).labels;
+  std::replace(labels.begin(), labels.end(), which, patch::kNone);
+  return replaceLabels(labels);
+}
+
+PatchEdit PatchPaintingLogic::replaceLabels(const std::vector<int>& labels) {
   PatchEdit edit;
-  if (inStroke() || which == patch::kNone) return edit;
+  if (inStroke() || !missingInput().empty()) return edit;
   Canvas& canvas = state_->of(target);
-  for (std::size_t i = 0; i < canvas.labels.size(); ++i) {
-    if (canvas.labels[i] != which) continue;
+  if (labels.size() != canvas.labels.size())
+    throw InputError("there are " + std::to_string(labels.size()) + " labels for a surface of " +
+                     std::to_string(canvas.labels.size()) + " points; take labels of the same surface");
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (canvas.labels[i] == labels[i]) continue;
     edit.ids.push_back(static_cast<int>(i));
-    edit.before.push_back(which);
-    edit.after.push_back(patch::kNone);
+    edit.before.push_back(canvas.labels[i]);
+    edit.after.push_back(labels[i]);
   }
   if (edit.empty()) return edit;
   canvas.assign(edit.ids, edit.after);

@@ -13,8 +13,8 @@ struct PatchEdit {
   [[nodiscard]] bool empty() const { return ids.empty(); }
 };
 
-/// Which surface of the case is painted on.
-enum class PaintTarget { Preop, Scan };
+/// What is painted: patches on one of the two surfaces of the case, or supports on the pre-operative one.
+enum class PaintTarget { Preop, Scan, Supports };
 
 /// The brush and its undo, without a window: the interactor hands over hits, the logic returns edits. Main
 /// thread only. A stroke is one undo step; a stroke that changes nothing leaves none. At most 200 steps are
@@ -25,7 +25,7 @@ class PatchPaintingLogic {
   ~PatchPaintingLogic();
 
   PaintTarget target = PaintTarget::Preop;
-  int label = patch::kFalciform;  ///< 0 erases
+  int label = patch::kFalciform;  ///< of a patch, or of a support's region; 0 erases
   double radiusMm = 6.0;          ///< brush radius along the surface, in [0.5, 60]
 
   /// What is missing before anything can be painted ("Import or open a surface first."), or empty.
@@ -36,7 +36,7 @@ class PatchPaintingLogic {
   /// cloud. Returns what this dab changed, for live drawing.
   void beginStroke();
   PatchEdit dab(int triangle, const Vector3d& hit, const Vector3d& viewDirection = Vector3d::Zero());
-  /// Writes the stroke into the Case (a new Surface) and returns it whole.
+  /// Writes the stroke into the Case (a new Surface or SupportPainting) and returns it whole.
   PatchEdit endStroke();
   [[nodiscard]] bool inStroke() const;
   /// Labels as they stand, the running stroke included.
@@ -48,6 +48,9 @@ class PatchPaintingLogic {
   PatchEdit redo();
   /// Removes a whole label; one undo step.
   PatchEdit clearPatch(int which);
+  /// All labels of the target at once, as a template does; one undo step. Throws InputError for another
+  /// number of labels than the surface has points.
+  PatchEdit replaceLabels(const std::vector<int>& labels);
 
  private:
   struct State;

@@ -96,6 +96,25 @@ TEST(Case, LandmarksNamesAndStructuresLeaveResultsAlone) {
                                               Part::Structures, Part::Labels}));
 }
 
+TEST(Case, SupportsStayWhilePatchesArePaintedAndGoWithTheShape) {
+  Case document;
+  Surface liver;
+  liver.points = Points::Random(10, 3);
+  document.setPreop(std::make_shared<const Surface>(liver));
+  document.setSupports(std::make_shared<const SupportPainting>(emptySupportPainting(10)));
+  liver.patch.assign(10, patch::kFalciform);
+  document.setPreop(std::make_shared<const Surface>(liver));
+  EXPECT_NE(document.supports(), nullptr);
+  bool told = false;
+  const Connection watching = document.changed.connect([&](Case::Part part) {
+    EXPECT_EQ(document.supports(), nullptr) << "whoever hears of the new shape finds no old supports";
+    told = told || part == Case::Part::Supports;
+  });
+  liver.points(3, 1) += 1;
+  document.setPreop(std::make_shared<const Surface>(liver));
+  EXPECT_TRUE(told);
+}
+
 TEST(Case, AStructureIsRemovedByNothing) {
   Case document;
   document.setStructure("tumour", std::make_shared<Surface>());

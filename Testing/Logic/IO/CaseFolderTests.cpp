@@ -4,6 +4,7 @@
 #include "Logic/IO/JsonFile.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/ResultFiles.h"
+#include "Logic/IO/SupportFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/IO/TransformFiles.h"
 #include "Testing/Logic/IO/ResultSamples.h"
@@ -67,6 +68,46 @@ TEST(CaseFolder, AWholeCaseComesBack) {
   EXPECT_EQ(toJson(*opened.distance()), toJson(*saved.distance()));
   EXPECT_TRUE(std::isnan(opened.distance()->preop.arrays.at(kSignedDistance)[0]));
   EXPECT_FALSE(opened.modified());
+}
+
+TEST(CaseFolder, PaintedSupportsComeBack) {
+  const TemporaryFolder folder;
+  Case saved, opened;
+  fillCase(saved);
+  SupportPainting painting = emptySupportPainting(saved.preop()->size());
+  painting.labels.front() = support_label::kVenaCava;
+  painting.labels.back() = 7;
+  painting.regions[7] = {"Rückenlage, \"links\"", SupportRegionKind::Pushed, -3.25};
+  painting.turnDeg = 12.5;
+  saved.setSupports(std::make_shared<const SupportPainting>(painting));
+  saveCase(saved, folder.path(), Overwrite::Refuse);
+  EXPECT_THAT(openCase(opened, folder.path()), IsEmpty());
+  ASSERT_NE(opened.supports(), nullptr);
+  EXPECT_EQ(*opened.supports(), painting);
+}
+
+TEST(CaseFolder, RefusesSupportsThatDoNotFitTheSurface) {
+  const TemporaryFolder folder;
+  Case saved, opened;
+  fillCase(saved);
+  const Index points = saved.preop()->size();
+  saved.setSupports(std::make_shared<const SupportPainting>(emptySupportPainting(points)));
+  saveCase(saved, folder.path(), Overwrite::Refuse);
+  const auto refusal = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json json = toJson(*saved.supports());
+    json[key] = value;
+    put(folder / "supports.json", json.dump());
+    return refusalOf([&] { (void)openCase(opened, folder.path()); });
+  };
+  EXPECT_THAT(refusal("label_runs", {0, points + 1}), HasSubstr("label_runs"));
+  EXPECT_THAT(refusal("label_runs", {0, points - 1}), HasSubstr("labels"));
+  EXPECT_THAT(refusal("label_runs", {9, points}), HasSubstr("label 9"));
+  EXPECT_THAT(refusal("label_runs", {0, -1, 0, 1e15}), HasSubstr("label_runs"));
+  EXPECT_THAT(refusal("label_runs", "none"), HasSubstr("label_runs"));
+  EXPECT_THAT(refusal("turn_deg", 1000), HasSubstr("turn"));
+  EXPECT_THAT(refusal("regions", {1, 2}), HasSubstr("regions"));
+  EXPECT_THAT(refusal("schema", 2), HasSubstr("later version"));
+  EXPECT_EQ(opened.preop(), nullptr) << "nothing of it was opened";
 }
 
 TEST(CaseFolder, AStaleRegistrationStaysStale) {

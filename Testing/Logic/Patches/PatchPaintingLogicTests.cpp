@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "Logic/Core/Errors.h"
 #include "Logic/Geometry/TriangleTree.h"
 #include "Testing/Support/SmallSurfaces.h"
 
@@ -240,6 +241,56 @@ TEST_F(PatchPainting, KeepsThePreopAndTheScanApart) {
   openPreop(body);
   EXPECT_TRUE(logic.canUndo()) << "the scan's steps outlive a new pre-op surface";
   logic.target = PaintTarget::Preop;
+  EXPECT_FALSE(logic.canUndo());
+}
+
+TEST_F(PatchPainting, PaintsSupportsBesideThePatchesWithTheirOwnUndo) {
+  const Surface plane = test::grid(20, 20);
+  openPreop(plane);
+  PatchPaintingLogic logic(document);
+  (void)strokeAt(logic, plane, {5, 5, 50}, {5, 5, 0});
+  const auto patches = document.preop()->patch;
+  logic.target = PaintTarget::Supports;
+  logic.label = support_label::kLeftPacking;
+  EXPECT_FALSE(logic.canUndo());
+  const PatchEdit edit = strokeAt(logic, plane, {12, 12, 50}, {12, 12, 0});
+  ASSERT_FALSE(edit.empty());
+  EXPECT_EQ(document.preop()->patch, patches);
+  ASSERT_NE(document.supports(), nullptr);
+  EXPECT_EQ(document.supports()->labels[static_cast<std::size_t>(edit.ids.front())],
+            support_label::kLeftPacking);
+  EXPECT_EQ(document.supports()->regions.at(support_label::kLeftPacking).kind, SupportRegionKind::Pushed);
+
+  // Kind and distance may be changed, patches painted: both leave labels and undo alone.
+  SupportPainting pushed = *document.supports();
+  pushed.regions[support_label::kLeftPacking].pushMm = 35;
+  document.setSupports(std::make_shared<const SupportPainting>(pushed));
+  logic.target = PaintTarget::Preop;
+  (void)logic.undo();
+  logic.target = PaintTarget::Supports;
+  ASSERT_TRUE(logic.canUndo());
+  (void)logic.undo();
+  EXPECT_THAT(document.supports()->labels, Each(support_label::kFree));
+  EXPECT_EQ(document.supports()->regions.at(support_label::kLeftPacking).pushMm, 35);
+  (void)logic.redo();
+  EXPECT_EQ(document.supports()->labels, pushed.labels);
+}
+
+TEST_F(PatchPainting, ATemplateIsOneStepAndAnUnknownLabelGetsARegion) {
+  openPreop(test::grid(10, 10));
+  PatchPaintingLogic logic(document);
+  logic.target = PaintTarget::Supports;
+  const auto points = static_cast<std::size_t>(document.preop()->size());
+  (void)logic.replaceLabels(std::vector<int>(points, 9));
+  EXPECT_EQ(document.supports()->regions.at(9).name, "support 9");
+  EXPECT_NO_THROW(checkSupportPainting(*document.supports(), document.preop()->size(), "supports"));
+  (void)logic.undo();
+  EXPECT_THAT(document.supports()->labels, Each(0));
+  EXPECT_FALSE(logic.canUndo());
+  EXPECT_THROW((void)logic.replaceLabels({1, 2, 3}), InputError);
+  // Supports of a case that is opened meanwhile are no steps of ours.
+  (void)logic.redo();
+  document.setSupports(nullptr);
   EXPECT_FALSE(logic.canUndo());
 }
 
