@@ -16,11 +16,14 @@ namespace {
 
 /// Three nodes far apart that no candidate touches, with six directions that are statically determinate: all
 /// of the first, two across the line to the second, one across the plane with the third.
-std::vector<NodeConstraint> pins(const TetrahedralMesh& mesh, const std::vector<char>& taken) {
+std::vector<NodeConstraint> pins(const TetrahedralMesh& mesh, const std::vector<char>& taken,
+                                 const std::vector<char>& eliminated) {
   const auto farthest = [&](const auto& distance) {
     Index best = -1;
     for (Index n = 0; n < mesh.nodes(); ++n)
-      if (taken[static_cast<std::size_t>(n)] == 0 && (best < 0 || distance(n) > distance(best))) best = n;
+      if (taken[static_cast<std::size_t>(n)] == 0 && eliminated[static_cast<std::size_t>(n)] == 0 &&
+          (best < 0 || distance(n) > distance(best)))
+        best = n;
     if (best < 0) throw InputError("every node is a candidate support; leave some of the liver free");
     return best;
   };
@@ -47,6 +50,9 @@ struct SupportSolver::State {
   BoundaryFaces faces;
   NodeNormals normals;
   std::optional<ReducedStiffness> reduced;
+  std::vector<Support> held;     ///< in every hypothesis
+  std::vector<char> eliminated;  ///< of each node: its constraint is not the hypotheses' affair
+  bool pinned = false;           ///< the rigid motions are pinned and must be found
   Index candidates = 0;
   std::vector<int> candidateOf;  ///< 3 node + axis -> number among the candidates, or -1
   std::vector<std::int64_t> order;
@@ -58,6 +64,8 @@ struct SupportSolver::State {
 
   void chooseCandidates(const CandidateSupports& where, std::vector<NodeConstraint>& frames,
                         std::vector<char>& full) const;
+  void hold(const std::vector<Support>& always, const std::vector<char>& taken,
+            std::vector<NodeConstraint>& frames);
   void factorise(const TetrahedralMesh& mesh, const StiffnessMatrix& stiffness,
                  const std::vector<Material>& materials, const std::vector<char>& last,
                  const Progress& progress);
@@ -90,11 +98,34 @@ void SupportSolver::State::chooseCandidates(const CandidateSupports& where,
   };
   touch(where.sliding, false);
   touch(where.fixed, true);
+  for (const NodeConstraint& constraint : nodeConstraints(faces, normals, where.held))
+    if (constraint.count > 1 && touched.contains(constraint.node))
+      full[static_cast<std::size_t>(constraint.node)] = 1;
   for (const int node : touched)
     frames.push_back({.node = node,
                       .count = 0,
                       .frame = frameAlong(normals.normals.row(node).transpose()),
                       .valuesMm = Vector3d::Zero()});
+}
+
+/// Takes the supports that are held always: constraints of nodes that no candidate touches join `frames`.
+void SupportSolver::State::hold(const std::vector<Support>& always, const std::vector<char>& taken,
+                                std::vector<NodeConstraint>& frames) {
+  for (const Support& support : always)
+    if (support.kind != SupportKind::Fixed && support.kind != SupportKind::Sliding)
+      throw InputError("the support '" + support.name +
+                       "' moves or yields; supports held always are fixed or sliding");
+  held = always;
+  motions = rigidMotions(nodes);
+  eliminated.assign(static_cast<std::size_t>(nodes.rows()), 0);
+  std::vector<NodeConstraint> away;
+  for (const NodeConstraint& constraint : nodeConstraints(faces, normals, always))
+    if (taken[static_cast<std::size_t>(constraint.node)] == 0) {
+      eliminated[static_cast<std::size_t>(constraint.node)] = 1;
+      away.push_back(constraint);
+    }
+  pinned = !holds(motions, away);
+  frames.insert(frames.end(), away.begin(), away.end());
 }
 
 SupportSolver::SupportSolver(const TetrahedralMesh& mesh, const std::vector<Material>& materials,
@@ -110,7 +141,9 @@ SupportSolver::SupportSolver(const TetrahedralMesh& mesh, const std::vector<Mate
   if (frames.empty())
     throw InputError("there is no candidate support; name faces that may be held or pushed");
   for (const NodeConstraint& frame : frames) taken[static_cast<std::size_t>(frame.node)] = 1;
-  for (const NodeConstraint& pin : pins(mesh, taken)) frames.push_back(pin);
+  state->hold(candidates.held, taken, frames);
+  if (state->pinned)
+    for (const NodeConstraint& pin : pins(mesh, taken, state->eliminated)) frames.push_back(pin);
   std::sort(frames.begin(), frames.end(),
             [](const NodeConstraint& a, const NodeConstraint& b) { return a.node < b.node; });
   state->reduced.emplace(stiffness, frames);
@@ -134,7 +167,6 @@ void SupportSolver::State::factorise(const TetrahedralMesh& mesh, const Stiffnes
   for (std::size_t k = order.size() - static_cast<std::size_t>(candidates); k < order.size(); ++k)
     if (k > 0) chain.emplace_back(std::max(order[k], order[k - 1]), std::min(order[k], order[k - 1]));
   const SparseCholesky factor(withPlaces(reduced->matrix(), std::move(chain)), order, progress.part(0, 0.8));
-  motions = rigidMotions(mesh.points);
   Eigen::MatrixXd loads(static_cast<Index>(order.size()), 3);
   for (int axis = 0; axis < 3; ++axis) {
     const Points forces = weightForces(mesh, materials, Vector3d::Unit(axis));
@@ -209,8 +241,12 @@ double SupportSolver::State::complianceOf(const Row& a, const Row& b) const {
 /// a.
 Eigen::VectorXd SupportSolver::State::candidateForces(const SupportHypothesis& hypothesis,
                                                       Eigen::Matrix<double, 6, 1>& rigid) const {
-  const std::vector<NodeConstraint> constraints = nodeConstraints(faces, normals, hypothesis.supports);
-  checkHeld(motions, constraints, faces, hypothesis.supports);
+  std::vector<Support> supports = held;
+  supports.insert(supports.end(), hypothesis.supports.begin(), hypothesis.supports.end());
+  std::vector<NodeConstraint> constraints = nodeConstraints(faces, normals, supports);
+  if (pinned) checkHeld(motions, constraints, faces, supports);
+  std::erase_if(constraints,
+                [&](const NodeConstraint& c) { return eliminated[static_cast<std::size_t>(c.node)] != 0; });
   const Vector3d& g = hypothesis.gravityChangeMPerS2;
   std::vector<Row> rows;
   std::vector<Eigen::Matrix<double, 1, 7>> sides;  // B K+ f - v, and the row of BR
@@ -236,7 +272,7 @@ Eigen::VectorXd SupportSolver::State::candidateForces(const SupportHypothesis& h
   const auto count = static_cast<Index>(rows.size());
   Eigen::MatrixXd right(count, 7), system(count, count);
   for (Index r = 0; r < count; ++r) right.row(r) = sides[static_cast<std::size_t>(r)];
-  const Eigen::MatrixXd held = right.rightCols<6>();
+  const Eigen::MatrixXd rigidRows = right.rightCols<6>();
   forEachChunk(rows.size(), 16, [&](std::size_t first, std::size_t last) {
     for (std::size_t c = first; c < last; ++c)
       for (std::size_t r = c; r < rows.size(); ++r)
@@ -246,8 +282,11 @@ Eigen::VectorXd SupportSolver::State::candidateForces(const SupportHypothesis& h
   if (!choleskyInPlace(system))
     throw InputError("the supports contradict each other or repeat; name each region once");
   solveCholesky(system, right);
-  const Eigen::Matrix<double, 6, 6> rigidSystem = held.transpose() * right.rightCols<6>();
-  rigid = rigidSystem.ldlt().solve(rigidLoads * g - held.transpose() * right.col(0));
+  rigid.setZero();
+  if (pinned) {
+    const Eigen::Matrix<double, 6, 6> rigidSystem = rigidRows.transpose() * right.rightCols<6>();
+    rigid = rigidSystem.ldlt().solve(rigidLoads * g - rigidRows.transpose() * right.col(0));
+  }
   const Eigen::VectorXd lambda = right.col(0) + right.rightCols<6>() * rigid;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(candidates);
   for (Index r = 0; r < count; ++r) {

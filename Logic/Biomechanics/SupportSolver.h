@@ -8,7 +8,10 @@ namespace falciform {
 
 /// Where supports may be, by boundary faces: on `sliding` ones along the normal, on `fixed` ones wholly.
 struct CandidateSupports {
-  std::vector<int> sliding, fixed;
+  std::vector<int> sliding{}, fixed{};
+  /// Supports that every hypothesis shares (Fixed and Sliding only): they are eliminated beforehand, which
+  /// leaves the hypotheses small. Where candidates touch them, a hypothesis may override them.
+  std::vector<Support> held{};
 };
 
 /// One guess at what holds and moves the liver: supports (springs excepted) and the change of gravity since
@@ -18,9 +21,9 @@ struct SupportHypothesis {
   Vector3d gravityChangeMPerS2 = Vector3d::Zero();
 };
 
-/// One factorisation for every hypothesis of supports (METHODS 4.3): the six rigid motions are pinned, the
-/// candidate directions come last in the elimination, so that their compliance C = B K+ B' falls out of the
-/// factor; a hypothesis is then a small dense system,
+/// One factorisation for every hypothesis of supports (METHODS 4.3): the six rigid motions are pinned (unless
+/// the supports held always do so), the candidate directions come last in the elimination, so that their
+/// compliance C = B K+ B' falls out of the factor; a hypothesis is then a small dense system,
 ///   u = K+ (f - B' lambda) + R a,   [ C  -BR ; (BR)'  0 ] [lambda; a] = [ B K+ f - v ; R' f ],
 /// and one back substitution for the displacements of all nodes.
 class SupportSolver {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/NumberText.h"
@@ -198,27 +199,55 @@ void checkHeld(const Points& nodes, const std::vector<NodeConstraint>& constrain
   checkHeld(rigidMotions(nodes), constraints, faces, supports);
 }
 
+namespace {
+
+/// How strongly each rigid motion is resisted, smallest first, with those motions.
+class Hold {
+ public:
+  explicit Hold(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions) : motions_(motions) {}
+
+  void add(Index node, const Vector3d& axis) {
+    const Eigen::Matrix<double, 6, 1> row = motions_.middleRows<3>(3 * node).transpose() * axis;
+    held_ += row * row.transpose();
+  }
+  void add(const std::vector<NodeConstraint>& constraints) {
+    for (const NodeConstraint& constraint : constraints)
+      for (int k = 0; k < constraint.count; ++k) add(constraint.node, constraint.frame.row(k).transpose());
+  }
+  /// The motion that is left, if there is one: resisted less than 1e-8 times as much as the best-held.
+  [[nodiscard]] std::optional<Eigen::Matrix<double, 6, 1>> freeMotion() const {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(held_);
+    if (solver.eigenvalues()[0] > 1e-8 * std::max(1.0, solver.eigenvalues()[5])) return {};
+    return solver.eigenvectors().col(0);
+  }
+
+ private:
+  const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions_;
+  Eigen::Matrix<double, 6, 6> held_ = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+}  // namespace
+
+bool holds(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
+           const std::vector<NodeConstraint>& constraints) {
+  Hold hold(motions);
+  hold.add(constraints);
+  return !hold.freeMotion();
+}
+
 void checkHeld(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
                const std::vector<NodeConstraint>& constraints, const BoundaryFaces& faces,
                const std::vector<Support>& supports) {
-  Eigen::Matrix<double, 6, 6> held = Eigen::Matrix<double, 6, 6>::Zero();
-  const auto hold = [&](Index node, const Vector3d& axis) {
-    const Eigen::Matrix<double, 6, 1> row = motions.middleRows<3>(3 * node).transpose() * axis;
-    held += row * row.transpose();
-  };
-  for (const NodeConstraint& constraint : constraints)
-    for (int k = 0; k < constraint.count; ++k) hold(constraint.node, constraint.frame.row(k).transpose());
+  Hold hold(motions);
+  hold.add(constraints);
   for (const Support& support : supports)
     if (support.kind == SupportKind::Spring)
       for (const int face : support.faces)
         for (int k = 0; k < faces.nodesPerFace(); ++k)
-          hold(faces.nodes(face, k), faces.areaVectors.row(face).normalized().transpose());
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(held);
-  // A motion that the supports see a millionth as well as the best-held one is free.
-  if (solver.eigenvalues()[0] > 1e-8 * std::max(1.0, solver.eigenvalues()[5])) return;
-  throw InputError("the supports do not hold the liver: it can still " +
-                   describeFreeMotion(solver.eigenvectors().col(0)) +
-                   "; fix a region, or add sliding ones that face other ways");
+          hold.add(faces.nodes(face, k), faces.areaVectors.row(face).normalized().transpose());
+  if (const auto free = hold.freeMotion())
+    throw InputError("the supports do not hold the liver: it can still " + describeFreeMotion(*free) +
+                     "; fix a region, or add sliding ones that face other ways");
 }
 
 }  // namespace falciform

@@ -61,6 +61,10 @@ void addSprings(StiffnessMatrix& stiffness, const BoundaryFaces& faces, const st
 /// size.
 [[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 6> rigidMotions(const Points& nodes);
 
+/// Whether constraints leave the body none of its rigid motions.
+[[nodiscard]] bool holds(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
+                         const std::vector<NodeConstraint>& constraints);
+
 /// Throws InputError that says in words how the body can still move (along or about which axis), if the
 /// constraints and springs leave it one of its rigid motions.
 void checkHeld(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,

@@ -119,6 +119,21 @@ TEST_P(Solver, HypothesisEqualsItsOwnFactorisation) {
   EXPECT_LT(largest(u - expected), 1e-5 * largest(expected)) << "of " << largest(expected) << " mm";
 }
 
+TEST_P(Solver, SupportsHeldAlwaysGiveTheSameAnswer) {
+  const TetrahedralMesh mesh = block(GetParam());
+  const BoundaryFaces faces = boundaryFaces(mesh);
+  const SupportHypothesis whole = packedBlock(mesh, faces);
+  const Points expected = SupportSolver(mesh, kLiver, candidatesOfBlock(mesh, faces)).solve(whole);
+  // End and bed held always, the bed being a candidate as well; only the packing is left to the hypothesis.
+  CandidateSupports candidates = candidatesOfBlock(mesh, faces);
+  candidates.fixed.clear();
+  candidates.held = {whole.supports[0], whole.supports[1]};
+  const SupportHypothesis packing{.supports = {whole.supports[2]},
+                                  .gravityChangeMPerS2 = whole.gravityChangeMPerS2};
+  const Points u = SupportSolver(mesh, kLiver, candidates).solve(packing);
+  EXPECT_LT(largest(u - expected), 1e-5 * largest(expected));
+}
+
 TEST_P(Solver, ManyHypothesesAtOnceEqualEachAlone) {
   const TetrahedralMesh mesh = block(GetParam());
   const BoundaryFaces faces = boundaryFaces(mesh);
