@@ -17,6 +17,8 @@ constexpr int kRounds = 5;         ///< of finer edges
 constexpr double kFinest = 0.125;  ///< of the edge length
 constexpr double kSlope = 0.4;     ///< of the edge length's growth away from a fine spot
 
+constexpr double kSmallestBallMm = 1, kSmallestCellMm = 1.5;
+
 /// A place around which edges are finer.
 struct FineSpot {
   Vector3d place;
@@ -93,12 +95,16 @@ MeshableSurface meshableSurface(const Surface& surface, double edgeLengthMm, dou
   constexpr std::array<std::array<double, 2>, 6> kBalls{
       {{0, 0}, {0.1, 0.1}, {0.2, 0.1}, {0.3, 0.15}, {0.4, 0.25}, {0.5, 0.4}}};
   constexpr std::size_t kFew = 12;  // above, the surface is riddled with tunnels, as noise makes them
+  // Voxel noise is of a millimetre, however short the edges are.
+  const auto ball = [&](double share) {
+    return share > 0 ? std::max(share * edgeLengthMm, kSmallestBallMm) : 0;
+  };
   MeshableSurface result;
   const std::vector<Crossing> own = selfCrossings(surface);
   for (std::size_t i = 0; i < kBalls.size(); ++i) {
     const Progress step = progress.part(static_cast<double>(i) / kBalls.size(), (i + 1.0) / kBalls.size());
-    const double close = kBalls[i][0] * edgeLengthMm, open = kBalls[i][1] * edgeLengthMm;
-    const bool mayRound = kBalls[1][0] * edgeLengthMm <= maxRepairMm;
+    const double close = ball(kBalls[i][0]), open = ball(kBalls[i][1]);
+    const bool mayRound = ball(kBalls[1][0]) <= maxRepairMm;
     if (std::max(close, open) > maxRepairMm) break;
     if (i == 0 && !own.empty() && mayRound) {  // no remeshing mends what the surface itself does
       result.first = result.left = own;
@@ -106,7 +112,8 @@ MeshableSurface meshableSurface(const Surface& surface, double edgeLengthMm, dou
       continue;
     }
     if (i > 0) step.report(0, "Closing narrow clefts");
-    const Surface source = i == 0 ? surface : roundedSurface(surface, close, open, edgeLengthMm / 5);
+    const Surface source =
+        i == 0 ? surface : roundedSurface(surface, close, open, std::max(edgeLengthMm / 5, kSmallestCellMm));
     Attempt attempt =
         remeshedFinely(source, edgeLengthMm, i == 0 && mayRound ? kFew : std::size_t(-1), step.part(0.4, 1));
     if (i == 0) result.first = attempt.first;

@@ -4,16 +4,12 @@
 #include <cctype>
 
 #include "Logic/Core/Errors.h"
-#include "Logic/IO/NumberText.h"
+#include "Logic/IO/SpaceAndUnits.h"
 #include "Logic/IO/SurfaceFormats.h"
 
 namespace falciform {
 
 namespace {
-
-constexpr double kAbsurdMm = 1e6;   ///< no operating theatre is a kilometre wide
-constexpr double kMetresBelow = 1;  ///< a liver of 0.2 units is in metres
-constexpr double kMicrometresAbove = 20'000;
 
 std::string extensionOf(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
@@ -38,38 +34,9 @@ RawSurface readRaw(const std::filesystem::path& file, const std::string& name) {
   return readCloudText(bytes, name);
 }
 
-/// World is LPS: RAS is turned by 180 degrees about the third axis, which keeps the triangles' sense.
-void honourSpace(RawSurface& raw, const std::string& name) {
-  Surface& surface = raw.surface;
-  surface.frame = raw.space.value_or("LPS");
-  if (!raw.space)
-    raw.warnings.push_back(
-        name + " does not say its space; LPS is assumed (SPACE=LPS or SPACE=RAS in the file says it)");
-  if (surface.frame != "RAS") return;
-  surface.points.leftCols<2>() *= -1;
-  if (surface.normals.rows() > 0) surface.normals.leftCols<2>() *= -1;
-  surface.frame = "LPS";
-}
-
 void checkRead(const RawSurface& raw, const std::string& name) {
-  const Surface& surface = raw.surface;
-  if (surface.size() == 0) throw InputError(name + " holds no points; export the surface again");
-  checkSurface(surface, name);
-  if (const double largest = surface.points.cwiseAbs().maxCoeff(); largest > kAbsurdMm)
-    throw InputError(name + " has a coordinate of " + numberText(largest) +
-                     " mm, beyond 1e6 mm; it is damaged or in other units, export it again in mm");
-}
-
-void warnOfUnits(RawSurface& raw, const std::string& name) {
-  const Surface& surface = raw.surface;
-  const double extent =
-      (surface.points.colwise().maxCoeff() - surface.points.colwise().minCoeff()).maxCoeff();
-  const std::string size = name + " is " + numberText(static_cast<float>(extent)) + " units wide: ";
-  if (surface.size() < 2) return;
-  if (extent < kMetresBelow)
-    raw.warnings.push_back(size + "it looks like metres, not mm; scale it by 1000 if so");
-  if (extent > kMicrometresAbove)
-    raw.warnings.push_back(size + "it looks like micrometres, not mm; scale it by 0.001 if so");
+  if (raw.surface.size() == 0) throw InputError(name + " holds no points; export the surface again");
+  checkSurface(raw.surface, name);
 }
 
 }  // namespace
@@ -77,9 +44,11 @@ void warnOfUnits(RawSurface& raw, const std::string& name) {
 Loaded<Surface> readSurface(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   RawSurface raw = readRaw(file, name);
-  honourSpace(raw, name);
+  Surface& surface = raw.surface;
+  const bool turned = honourSpace(surface.points, surface.frame, raw.space, name, raw.warnings);
+  if (turned && surface.normals.rows() > 0) surface.normals.leftCols<2>() *= -1;
   checkRead(raw, name);
-  warnOfUnits(raw, name);
+  checkUnits(surface.points, name, raw.warnings);
   return {std::move(raw.surface), std::move(raw.warnings)};
 }
 

@@ -59,13 +59,12 @@ class VtpCheck {
                "', more than the file can hold");
       return value;
     };
-    counts_ = {{"Points", count("NumberOfPoints")},
-               {"Verts", count("NumberOfVerts")},
-               {"Lines", count("NumberOfLines")},
-               {"Strips", count("NumberOfStrips")},
-               {"Polys", count("NumberOfPolys")}};
+    counts_ = {{"Points", count("NumberOfPoints")}, {"Verts", count("NumberOfVerts")},
+               {"Lines", count("NumberOfLines")},   {"Strips", count("NumberOfStrips")},
+               {"Polys", count("NumberOfPolys")},   {"Cells", count("NumberOfCells")}};  // of .vtu
     counts_["PointData"] = counts_["Points"];
-    counts_["CellData"] = counts_["Verts"] + counts_["Lines"] + counts_["Strips"] + counts_["Polys"];
+    counts_["CellData"] =
+        counts_["Verts"] + counts_["Lines"] + counts_["Strips"] + counts_["Polys"] + counts_["Cells"];
   }
 
   void checkArray(std::string_view tag, std::string_view rest) const {

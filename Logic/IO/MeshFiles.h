@@ -1,0 +1,20 @@
+#pragma once
+#include <filesystem>
+
+#include "Logic/Core/TetrahedralMesh.h"
+#include "Logic/IO/Loaded.h"
+#include "Logic/IO/OutputFile.h"
+
+namespace falciform {
+
+/// Reads a tetrahedral mesh from VTU: linear or quadratic tetrahedra, all of one kind; regions from the cell
+/// array `Region` (0 where there is none). Cells of other kinds and points of no tetrahedron are left out,
+/// with a warning. Space tag and units as readSurface. Throws InputError for a missing, truncated or damaged
+/// file, one without tetrahedra, and inverted ones.
+[[nodiscard]] Loaded<TetrahedralMesh> readMesh(const std::filesystem::path& file);
+
+/// Writes VTU with `Region` and the space tag; written whole or not at all. Throws InputError for another
+/// extension and for a damaged mesh.
+void writeMesh(const std::filesystem::path& file, const TetrahedralMesh& mesh, Overwrite overwrite);
+
+}  // namespace falciform
