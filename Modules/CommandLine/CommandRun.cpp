@@ -6,6 +6,7 @@
 #include "Logic/Core/Errors.h"
 #include "Logic/Geometry/Topology.h"
 #include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/MeshFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/IO/TransformFiles.h"
 #include "Logic/IO/VolumeFiles.h"
@@ -45,6 +46,8 @@ T CommandRun::keep(Loaded<T> loaded, const fs::path& file) {
     warn(warning.find(name) == std::string::npos ? name + ": " + warning : warning);
   return std::move(loaded.value);
 }
+
+TetrahedralMesh CommandRun::tetrahedra(const fs::path& file) { return keep(readMesh(file), file); }
 
 Surface CommandRun::surface(const fs::path& file) { return keep(readSurface(file), file); }
 Surface CommandRun::mesh(const fs::path& file) {

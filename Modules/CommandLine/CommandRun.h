@@ -8,6 +8,7 @@
 #include "Logic/Core/Progress.h"
 #include "Logic/Core/Provenance.h"
 #include "Logic/Core/Surface.h"
+#include "Logic/Core/TetrahedralMesh.h"
 #include "Logic/Core/Volume.h"
 #include "Logic/IO/Loaded.h"
 #include "Modules/CommandLine/Outputs.h"
@@ -50,6 +51,7 @@ class CommandRun {
   /// A pre-operative surface: refused where edges have three or more triangles, since in and out are then
   /// undefined.
   [[nodiscard]] Surface mesh(const std::filesystem::path& file);
+  [[nodiscard]] TetrahedralMesh tetrahedra(const std::filesystem::path& file);
   [[nodiscard]] LabelMap labelMap(const std::filesystem::path& file);
   [[nodiscard]] Landmarks landmarks(const std::filesystem::path& file);
   [[nodiscard]] Isometry3d transform(const std::filesystem::path& file);

@@ -3,9 +3,9 @@
 namespace falciform::commandline {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all{importCommand(),     patchesCommand(), registerCommand(),
-                                        distanceCommand(),   runCommand(),     demoCommand(),
-                                        synthesiseCommand(), trialsCommand(),  infoCommand()};
+  static const std::vector<Command> all{
+      importCommand(), patchesCommand(),    registerCommand(), distanceCommand(), runCommand(),
+      demoCommand(),   synthesiseCommand(), trialsCommand(),   meshCommand(),     infoCommand()};
   return all;
 }
 

@@ -23,6 +23,7 @@ struct Command {
 [[nodiscard]] Command demoCommand();
 [[nodiscard]] Command synthesiseCommand();
 [[nodiscard]] Command trialsCommand();
+[[nodiscard]] Command meshCommand();
 [[nodiscard]] Command infoCommand();
 
 /// All of them, in the order of the work.

@@ -30,6 +30,32 @@ nlohmann::json toJson(const SurfaceImportResult& result) {
           {"filled_voxels", result.filledVoxels}};
 }
 
+nlohmann::json toJson(const MeshReport& report) {
+  nlohmann::json json{{"nodes", report.nodes},
+                      {"elements", report.elements},
+                      {"degrees_of_freedom", report.degreesOfFreedom},
+                      {"volume_mm3", report.volumeMm3},
+                      {"surface_volume_mm3", report.inputVolumeMm3},
+                      {"mean_edge_mm", report.edgeLengthMm},
+                      {"min_dihedral_deg", report.minDihedralDeg},
+                      {"median_dihedral_deg", report.medianDihedralDeg},
+                      {"min_radius_ratio", report.minRadiusRatio},
+                      {"min_scaled_jacobian", report.minScaledJacobian},
+                      {"mean_distance_mm", report.meanDistanceMm},
+                      {"max_distance_mm", report.maxDistanceMm},
+                      {"max_uncovered_mm", report.maxUncoveredMm},
+                      {"crossing_pairs", report.crossingPairs},
+                      {"repairs", report.repairs},
+                      {"regions", nlohmann::json::array()}};
+  for (const MeshRegion& region : report.regions)
+    json["regions"].push_back({{"number", region.number},
+                               {"elements", region.elements},
+                               {"volume_mm3", region.volumeMm3},
+                               {"surface_volume_mm3", region.wantedMm3},
+                               {"conforming", region.conforming}});
+  return json;
+}
+
 nlohmann::json toJson(const std::vector<PatchStatistics>& patches) {
   nlohmann::json json = nlohmann::json::array();
   for (const PatchStatistics& patch : patches)

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Patches/PatchStatistics.h"
 #include "Logic/Segmentation/SurfaceImport.h"
 
@@ -13,6 +14,8 @@ namespace falciform::commandline {
 
 /// Volumes, voxels, topology; not the surface.
 [[nodiscard]] nlohmann::json toJson(const SurfaceImportResult& result);
+/// Counts, shapes, distances and regions; not the mesh.
+[[nodiscard]] nlohmann::json toJson(const MeshReport& report);
 /// One object a patch.
 [[nodiscard]] nlohmann::json toJson(const std::vector<PatchStatistics>& patches);
 

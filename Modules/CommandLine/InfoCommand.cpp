@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <map>
 
+#include "Logic/Biomechanics/MeshQuality.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Geometry/Topology.h"
 #include "Logic/IO/CaseFolder.h"
+#include "Logic/IO/MeshFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/IO/VolumeFiles.h"
 #include "Modules/CommandLine/Commands.h"
@@ -18,7 +21,7 @@ void declare(Syntax& syntax) {
   syntax.add({.name = "FILE",
               .kind = ArgumentKind::File,
               .label = "File",
-              .help = "Surface, scan, label map, landmarks, transform or case folder.",
+              .help = "Surface, scan, label map, tetrahedral mesh, landmarks, transform or case folder.",
               .required = true,
               .positional = true,
               .group = "Files"});
@@ -77,6 +80,43 @@ void tellVolume(const fs::path& file, CommandRun& run) {
   }
 }
 
+void tellMesh(const fs::path& file, CommandRun& run) {
+  const TetrahedralMesh mesh = run.tetrahedra(file);
+  const MeshQuality quality = meshQuality(mesh);
+  run.say(std::string(mesh.quadratic() ? "quadratic" : "linear") + " tetrahedral mesh of " +
+          std::to_string(mesh.size()) + " elements and " + std::to_string(mesh.nodes()) + " nodes in frame " +
+          mesh.frame);
+  run.say(box(boundingBox(mesh.points)));
+  run.say("volume " + fixed(quality.volumeMm3 / 1000, 1) + " ml, mean edge " + fixed(quality.meanEdgeMm, 2) +
+          " mm; smallest dihedral angle " + fixed(quality.minDihedralDeg, 1) + " deg, median " +
+          fixed(quality.medianDihedralDeg, 1) + " deg; worst scaled Jacobian " +
+          fixed(quality.minScaledJacobian, 4));
+  run.figures = {{"kind", "tetrahedral mesh"},
+                 {"elements", mesh.size()},
+                 {"nodes", mesh.nodes()},
+                 {"quadratic", mesh.quadratic()},
+                 {"frame", mesh.frame},
+                 {"volume_mm3", quality.volumeMm3},
+                 {"mean_edge_mm", quality.meanEdgeMm},
+                 {"min_dihedral_deg", quality.minDihedralDeg},
+                 {"median_dihedral_deg", quality.medianDihedralDeg},
+                 {"min_radius_ratio", quality.minRadiusRatio},
+                 {"min_scaled_jacobian", quality.minScaledJacobian},
+                 {"regions", nlohmann::json::array()}};
+  std::map<int, std::pair<Index, double>> regions;
+  for (Index e = 0; e < mesh.size(); ++e) {
+    auto& [count, volume] = regions[mesh.regionOf(e)];
+    ++count;
+    volume += cornerVolume(mesh, e);
+  }
+  for (const auto& [region, found] : regions) {
+    run.say("region " + std::to_string(region) + ": " + std::to_string(found.first) + " elements, " +
+            fixed(found.second / 1000, 2) + " ml");
+    run.figures["regions"].push_back(
+        {{"number", region}, {"elements", found.first}, {"volume_mm3", found.second}});
+  }
+}
+
 void tellLandmarks(const fs::path& file, CommandRun& run) {
   const Landmarks landmarks = run.landmarks(file);
   run.say(std::to_string(landmarks.points.size()) + " landmarks in frame " + landmarks.frame);
@@ -130,6 +170,8 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
     tellVolume(file, run);
   else if (name.ends_with(".mrk.json") || extension == ".fcsv")
     tellLandmarks(file, run);
+  else if (extension == ".vtu")
+    tellMesh(file, run);
   else if (std::find(surfaces.begin(), surfaces.end(), extension) != surfaces.end())
     tellSurface(file, run);
   else if (extension == ".tfm" || extension == ".txt" || extension == ".json")
