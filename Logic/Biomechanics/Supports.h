@@ -19,7 +19,7 @@ enum class SupportKind {
 struct Support {
   std::string name;
   SupportKind kind = SupportKind::Fixed;
-  std::vector<int> faces;                      ///< numbers into BoundaryFaces
+  std::vector<int> faces{};                    ///< numbers into BoundaryFaces
   double pushMm = 0;                           ///< Pushed: mm into the organ, against the outward normal
   Vector3d displacementMm = Vector3d::Zero();  ///< Moved: mm, in the mesh's frame
   double springNPerMm3 = 0;                    ///< Spring: pressure by displacement, above 0

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "Logic/Biomechanics/BlasKernel.h"
 #include "Modules/Application/Appearance.h"
 #include "Modules/Application/MainWindow.h"
 #include "Version.h"
@@ -27,6 +28,7 @@ constexpr char kHelp[] =
 
 int main(int argc, char** argv) {
   using namespace falciform;
+  restartWithBestBlasKernel(argv);
   // Before any QApplication, which needs a display.
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <new>
 
+#include "Logic/Biomechanics/BlasKernel.h"
 #include "Logic/Core/Parallel.h"
 #include "Modules/CommandLine/Commands.h"
 #include "Modules/CommandLine/HelpText.h"
@@ -126,4 +127,7 @@ int guarded(const std::vector<std::string>& words) {
 }  // namespace
 }  // namespace falciform::commandline
 
-int main(int count, char** values) { return falciform::commandline::guarded({values + 1, values + count}); }
+int main(int count, char** values) {
+  falciform::restartWithBestBlasKernel(values);
+  return falciform::commandline::guarded({values + 1, values + count});
+}
