@@ -25,17 +25,36 @@ std::vector<Support> supportsUnder(const AtlasSetup& setup, double pushMm) {
   return supports;
 }
 
-/// All that any setup of this stiffness holds or pushes.
-CandidateSupports candidatesOf(const AtlasMembers& members, double ratio) {
+/// Everything but what is pushed.
+std::vector<Support> heldBy(const AtlasSetup& setup) {
+  std::vector<Support> held = setup.supports;
+  if (setup.pushed >= 0) held.erase(held.begin() + setup.pushed);
+  return held;
+}
+
+bool sameSupports(const std::vector<Support>& a, const std::vector<Support>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Support& one, const Support& other) {
+    return one.kind == other.kind && one.faces == other.faces;
+  });
+}
+
+/// All that any of the setups holds or pushes. Where they differ by what is pushed alone, the rest is held
+/// always: that is eliminated once, and leaves small systems.
+CandidateSupports candidatesOf(const std::vector<const AtlasSetup*>& setups) {
+  CandidateSupports candidates;
+  const std::vector<Support> held = heldBy(*setups.front());
+  const bool alike = std::all_of(setups.begin(), setups.end(), [&](const AtlasSetup* setup) {
+    return setup->pushed >= 0 && sameSupports(heldBy(*setup), held);
+  });
+  if (alike) candidates.held = held;
   std::set<int> fixed, sliding;
-  for (const AtlasSetup& setup : members.setups)
-    for (const Support& support : setup.supports)
-      if (setup.stiffnessRatio == ratio)
+  for (const AtlasSetup* setup : setups)
+    for (const Support& support : setup->supports)
+      if (!alike || support.kind == SupportKind::Pushed)
         (support.kind == SupportKind::Fixed ? fixed : sliding)
             .insert(support.faces.begin(), support.faces.end());
-  CandidateSupports candidates;
-  candidates.sliding.assign(sliding.begin(), sliding.end());
   candidates.fixed.assign(fixed.begin(), fixed.end());
+  candidates.sliding.assign(sliding.begin(), sliding.end());
   return candidates;
 }
 
@@ -64,14 +83,19 @@ Solver oneSetup(const TetrahedralMesh& mesh, const std::vector<Material>& materi
 }
 
 Solver manySetups(const TetrahedralMesh& mesh, const std::vector<Material>& materials,
-                  const AtlasMembers& members, double ratio, const Progress& progress) {
-  const SupportSolver solver(mesh, materials, candidatesOf(members, ratio), progress);
-  return [&members, solver](const std::vector<AtlasSolves::Solve>& wanted) {
+                  const AtlasMembers& members, const CandidateSupports& candidates,
+                  const Progress& progress) {
+  const SupportSolver solver(mesh, materials, candidates, progress);
+  return [&members, solver,
+          heldAlways = !candidates.held.empty()](const std::vector<AtlasSolves::Solve>& wanted) {
     std::vector<SupportHypothesis> hypotheses;
-    for (const AtlasSolves::Solve& solve : wanted)
+    for (const AtlasSolves::Solve& solve : wanted) {
+      const AtlasSetup& setup = members.setups[static_cast<std::size_t>(solve.setup)];
+      std::vector<Support> supports = supportsUnder(setup, solve.load[0]);
+      if (heldAlways) supports = {supports[static_cast<std::size_t>(setup.pushed)]};
       hypotheses.push_back(
-          {.supports = supportsUnder(members.setups[static_cast<std::size_t>(solve.setup)], solve.load[0]),
-           .gravityChangeMPerS2 = solve.load.tail<3>().transpose()});
+          {.supports = std::move(supports), .gravityChangeMPerS2 = solve.load.tail<3>().transpose()});
+    }
     return solver.solve(hypotheses);
   };
 }
@@ -83,7 +107,7 @@ Solver solverOf(const TetrahedralMesh& mesh, const AtlasDesign& design, const At
   for (const AtlasSetup& setup : members.setups)
     if (setup.stiffnessRatio == ratio) setups.push_back(&setup);
   if (setups.size() == 1) return oneSetup(mesh, materials, *setups.front(), progress);
-  return manySetups(mesh, materials, members, ratio, progress);
+  return manySetups(mesh, materials, members, candidatesOf(setups), progress);
 }
 
 }  // namespace
