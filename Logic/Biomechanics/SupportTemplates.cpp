@@ -7,7 +7,6 @@ namespace falciform {
 namespace {
 
 constexpr double kGravityMPerS2 = 9.81;
-constexpr double kUsualTurnDeg = 20;  // of an operating table
 
 Support support(const char* name, SupportKind kind, std::vector<int> faces, double pushMm = 0) {
   Support made;

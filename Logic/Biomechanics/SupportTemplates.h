@@ -16,6 +16,8 @@ inline std::span<const std::string_view> enumNames(SupportTemplate) {
   return names;
 }
 
+inline constexpr double kUsualTurnDeg = 20;  ///< of an operating table
+
 struct SupportTemplateSettings {
   SupportTemplate posture = SupportTemplate::LeftLobePacked;
   double pushMm = 20;    ///< the thesis's atlas goes from 5 to 45

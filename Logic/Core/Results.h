@@ -81,5 +81,7 @@ struct DistanceMap {
 };
 
 inline constexpr char kSignedDistance[] = "signed_distance_mm";
+/// How far a point has moved, on a deformed surface.
+inline constexpr char kDisplacement[] = "displacement_mm";
 
 }  // namespace falciform

@@ -13,7 +13,7 @@
 namespace falciform {
 
 /// Runs one job at a time away from the window, and hands its result back on the thread that owns the runner.
-/// Errors and cancellation end here: this and the command line's `main` are the only places that catch them.
+/// Errors and cancellation end here: this, LatestRunner and the command line's `main` alone catch them.
 /// Destroying the runner asks the job to stop and waits for it; its result is dropped.
 class JobRunner : public QObject {
   Q_OBJECT

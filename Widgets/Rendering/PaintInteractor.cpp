@@ -87,6 +87,12 @@ void PaintInteractor::takeLabels(const PatchEdit& edit) {
   presenter_->setPatchLabels(edit.ids, values);
 }
 
+Vector3d PaintInteractor::colourOf(int label) const {
+  const auto& own = presenter_->style().patchColours;
+  const auto found = own.find(label);
+  return found != own.end() ? found->second : patchColour(label);
+}
+
 void PaintInteractor::showCursor() {
   const int* at = Interactor->GetEventPosition();
   const auto place = placeAt(at[0], at[1]);
@@ -98,7 +104,7 @@ void PaintInteractor::showCursor() {
                                                      logic_->radiusMm)
                                       : flatRing(place->hit.point, place->viewDirection, logic_->radiusMm);
   cursor_->show(transformed(ring, presenter_->sceneFromSurface()),
-                logic_->label == patch::kNone ? kEraserColour : patchColour(logic_->label));
+                logic_->label == patch::kNone ? kEraserColour : colourOf(logic_->label));
 }
 
 void PaintInteractor::OnMouseMove() {

@@ -53,6 +53,7 @@ class PaintInteractor : public NavigationInteractor {
   };
   [[nodiscard]] std::optional<Place> placeAt(double x, double y);
   void paintTo(int x, int y);
+  [[nodiscard]] Vector3d colourOf(int label) const;
   void showCursor();
   void endStroke();
   void takeLabels(const PatchEdit& edit);

@@ -16,6 +16,19 @@ Vector3d patchColour(int label) {
   return palette[place] / 255.0;
 }
 
+Vector3d supportColour(SupportRegionKind kind, int label) {
+  const bool other = label % 2 == 0;
+  switch (kind) {
+    case SupportRegionKind::Fixed:
+      return other ? Vector3d(0.45, 0.85, 0.85) : Vector3d(0.40, 0.78, 0.98);
+    case SupportRegionKind::Sliding:
+      return other ? Vector3d(0.08, 0.20, 0.62) : Vector3d(0.20, 0.25, 0.75);
+    case SupportRegionKind::Pushed:
+      break;
+  }
+  return other ? Vector3d(0.96, 0.62, 0.05) : Vector3d(0.98, 0.85, 0.10);
+}
+
 Vector3d scanPatchColour(int label) { return 0.45 * patchColour(label) + 0.55 * Vector3d::Ones(); }
 
 }  // namespace falciform

@@ -1,4 +1,5 @@
 #pragma once
+#include "Logic/Core/SupportPainting.h"
 #include "Logic/Core/Types.h"
 
 namespace falciform {
@@ -14,5 +15,9 @@ inline const Vector3d kScanColour{0.74, 0.70, 0.68};  ///< of a scan without col
 
 /// The same patch on the scan, where both sides are shown: the same hue, much lighter.
 [[nodiscard]] Vector3d scanPatchColour(int label);
+
+/// Colour of a painted support, after the thesis's Fig. V.6: fixed light blue, sliding dark blue, pushed
+/// yellow; a little different from label to label, so that two of a kind can be told apart.
+[[nodiscard]] Vector3d supportColour(SupportRegionKind kind, int label);
 
 }  // namespace falciform

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace falciform {
 
@@ -17,6 +18,20 @@ const std::array<Vector3d, 11>& divergingColours() {
   return colours;
 }
 
+/// Matplotlib's viridis, 10 of its 256 colours (S. van der Walt, N. Smith, CC0).
+const std::array<Vector3d, 10>& sequentialColours() {
+  static const std::array<Vector3d, 10> colours{
+      Vector3d(68, 1, 84),    Vector3d(72, 40, 120),  Vector3d(62, 74, 137),  Vector3d(49, 104, 142),
+      Vector3d(38, 130, 142), Vector3d(31, 158, 137), Vector3d(53, 183, 121), Vector3d(109, 205, 89),
+      Vector3d(180, 222, 44), Vector3d(253, 231, 37)};
+  return colours;
+}
+
+std::span<const Vector3d> coloursOf(Palette palette) {
+  if (palette == Palette::Sequential) return sequentialColours();
+  return divergingColours();
+}
+
 double roundUp(double value) {
   if (!(value > 0)) return 1;
   const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -29,7 +44,7 @@ double roundUp(double value) {
 
 Vector3d colourOf(const ScalarMap& map, double value) {
   if (std::isnan(value)) return kNoValueColour;
-  const auto& colours = divergingColours();
+  const std::span<const Vector3d> colours = coloursOf(map.palette);
   if (value < map.low || value > map.high) {
     if (map.outOfRange == OutOfRange::Grey) return kOffScaleColour;
     return (value < map.low ? colours.front() : colours.back()) / 255.0 * 0.45;
@@ -50,6 +65,11 @@ ScalarMap symmetricMap(const std::string& array, const std::string& title, const
         if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
   const double end = roundUp(largest);
   return {array, title, unit, -end, end, OutOfRange::Grey};
+}
+
+ScalarMap magnitudeMap(const std::string& array, const std::string& title, const std::string& unit,
+                       double largest) {
+  return {array, title, unit, 0, roundUp(largest), OutOfRange::Ends, Palette::Sequential};
 }
 
 std::vector<double> tickValues(double low, double high, int atMost) {

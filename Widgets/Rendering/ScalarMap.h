@@ -12,6 +12,12 @@ enum class OutOfRange {
   Ends,  ///< a darker shade of the scale's end, so that the sign stays visible
 };
 
+/// Which colours a scale runs through; both are safe for the colour blind.
+enum class Palette {
+  Diverging,   ///< for signed values: blue, pale yellow in the middle, red
+  Sequential,  ///< for magnitudes: dark violet, green, yellow
+};
+
 /// How an analysis array becomes colours. Signed data has `low = -high`, so that no colour is 0.
 struct ScalarMap {
   std::string array;  ///< a key of Surface::arrays
@@ -19,6 +25,7 @@ struct ScalarMap {
   std::string unit;   ///< "mm"
   double low = -1, high = 1;
   OutOfRange outOfRange = OutOfRange::Grey;
+  Palette palette = Palette::Diverging;
 
   bool operator==(const ScalarMap&) const = default;
 };
@@ -27,8 +34,8 @@ struct ScalarMap {
 inline const Vector3d kNoValueColour{0.66, 0.66, 0.66};
 inline const Vector3d kOffScaleColour{0.30, 0.30, 0.30};
 
-/// The colour of `value`, in [0, 1]: blue through pale yellow to red (ColorBrewer's RdYlBu, safe for the
-/// colour blind, and no colour on it is grey), kNoValueColour for NaN.
+/// The colour of `value`, in [0, 1]: of ColorBrewer's RdYlBu or of Matplotlib's viridis, on which no colour
+/// is grey; kNoValueColour for NaN.
 [[nodiscard]] Vector3d colourOf(const ScalarMap& map, double value);
 
 /// A map that is symmetric around 0 and holds every finite value of `array` on all `surfaces`, its end
@@ -36,6 +43,10 @@ inline const Vector3d kOffScaleColour{0.30, 0.30, 0.30};
 /// are to be compared.
 [[nodiscard]] ScalarMap symmetricMap(const std::string& array, const std::string& title,
                                      const std::string& unit, const std::vector<const Surface*>& surfaces);
+
+/// A sequential map from 0 to an end that holds `largest`, rounded up in the same way.
+[[nodiscard]] ScalarMap magnitudeMap(const std::string& array, const std::string& title,
+                                     const std::string& unit, double largest);
 
 /// Values at which a colour bar is labelled: round, ascending, both ends among them where they are round.
 [[nodiscard]] std::vector<double> tickValues(double low, double high, int atMost = 9);

@@ -1,6 +1,7 @@
 #include "Widgets/Rendering/SurfaceGeometry.h"
 
 #include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPCANormalEstimation.h>
@@ -80,6 +81,21 @@ vtkSmartPointer<vtkPolyData> displayGeometry(const Surface& surface) {
   return data;
 }
 
+void moveGeometry(vtkPolyData* geometry, const Surface& surface) {
+  vtkPoints* points = geometry->GetPoints();
+  std::copy_n(surface.points.data(), surface.points.size(),
+              vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0));
+  points->Modified();
+  const bool given = surface.normals.rows() == surface.size();
+  const Points normals = given ? Points() : vertexNormals(surface);
+  auto* array = vtkFloatArray::SafeDownCast(geometry->GetPointData()->GetNormals());
+  const Points& from = given ? surface.normals : normals;
+  std::transform(from.data(), from.data() + from.size(), array->GetPointer(0),
+                 [](double value) { return static_cast<float>(value); });
+  array->Modified();
+  geometry->Modified();
+}
+
 double pointSpacing(const Points& points) {
   if (points.rows() < 5) return 0;
   const KdTree tree(points);
@@ -94,6 +110,11 @@ double pointSpacing(const Points& points) {
 bool sameGeometry(const Surface& a, const Surface& b) {
   const auto same = [](const auto& x, const auto& y) { return x.rows() == y.rows() && x == y; };
   return same(a.points, b.points) && same(a.triangles, b.triangles) && same(a.normals, b.normals);
+}
+
+bool sameTriangles(const Surface& a, const Surface& b) {
+  return a.size() == b.size() && a.triangles.rows() > 0 && a.triangles.rows() == b.triangles.rows() &&
+         a.triangles == b.triangles;
 }
 
 }  // namespace falciform

@@ -47,9 +47,12 @@ SurfacePresenter::~SurfacePresenter() { renderer_->RemoveActor(actor_); }
 
 void SurfacePresenter::show(std::shared_ptr<const Surface> surface) {
   const bool same = surface && surface_ && sameGeometry(*surface, *surface_);
+  const bool moved = !same && surface && surface_ && sameTriangles(*surface, *surface_);
   surface_ = std::move(surface);
   labels_ = surface_ ? surface_->patch : std::vector<int>();
-  if (!same) {
+  if (moved) {
+    moveGeometry(data_, *surface_);
+  } else if (!same) {
     data_ = surface_ ? displayGeometry(*surface_) : vtkSmartPointer<vtkPolyData>::New();
     colours_ = vtkSmartPointer<vtkUnsignedCharArray>::New();
     colours_->SetName("Shown");

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
+#include "Logic/Core/Settings.h"
 #include "Widgets/Rendering/PictureScenes.h"
 #include "Widgets/Rendering/ScanView.h"
 #include "Widgets/Rendering/SurfaceGeometry.h"
@@ -20,6 +22,17 @@ SurfaceStyle styleOf(const PartLook& look) {
   style.opacity = look.opacity;
   style.visible = look.visible;
   return style;
+}
+
+/// "packing under the left lobe, pushed 20 mm"
+std::string supportCaption(const SupportRegion& region) {
+  std::string caption = region.name + ", " + enumToString(region.kind);
+  if (region.kind == SupportRegionKind::Pushed) {
+    char distance[32];
+    std::snprintf(distance, sizeof distance, " %g mm", region.pushMm);
+    caption += distance;
+  }
+  return caption;
 }
 
 /// Landmarks as a cloud of large points.
@@ -41,7 +54,8 @@ struct CaseScene::Wanted {
   std::shared_ptr<const Surface> preop, scan;
   Isometry3d sceneFromPreop = Isometry3d::Identity(), sceneFromScan = Isometry3d::Identity();
   std::optional<ScalarMap> preopMap, scanMap;
-  bool distance = false;
+  bool distance = false, supports = false, deformed = false;
+  [[nodiscard]] bool bar() const { return preopMap || scanMap; }
 };
 
 CaseScene::CaseScene(const Case& document, const ViewState& view, int textPx)
@@ -72,6 +86,16 @@ CaseScene::Wanted CaseScene::wanted() const {
   } else {
     result.scan = case_.scan();
   }
+  result.deformed = options.liveDeformed && !options.painting && result.preop &&
+                    options.liveDeformed->size() == result.preop->size();
+  if (result.deformed) result.preop = options.liveDeformed;
+  if (result.deformed && options.displacementColours) {
+    result.preopMap = ScalarMap{kDisplacement,    "Displacement",     "mm", 0, options.displacementLimitMm,
+                                OutOfRange::Ends, Palette::Sequential};
+  } else if (result.preop && options.supportsShown) {
+    result.supports = true;
+    result.preop = withSupports(result.preop);
+  }
   result.distance = options.distanceShown && case_.distance() && case_.registration() && !scanAlone();
   if (result.distance) {
     const auto& map = case_.distance();
@@ -84,6 +108,18 @@ CaseScene::Wanted CaseScene::wanted() const {
     (options.distanceOnScan ? result.scanMap : result.preopMap) = colours;
   }
   return result;
+}
+
+// Made once for each pair: while a stroke runs, the presenter shows labels that the case has not yet.
+std::shared_ptr<const Surface> CaseScene::withSupports(const std::shared_ptr<const Surface>& liver) const {
+  if (supported_.liver == liver && supported_.painting == case_.supports()) return supported_.shown;
+  auto labelled = std::make_shared<Surface>(*liver);
+  labelled->patch = case_.supports() ? case_.supports()->labels : std::vector<int>();
+  labelled->patchNames.clear();
+  if (case_.supports())
+    for (const auto& [label, region] : case_.supports()->regions) labelled->patchNames[label] = region.name;
+  supported_ = {liver, case_.supports(), labelled};
+  return labelled;
 }
 
 bool CaseScene::follow() {
@@ -103,12 +139,15 @@ bool CaseScene::follow() {
     // The other side lies on the coloured one and would hide or tint the colours.
     (onScan ? preopStyle : scanStyle).visible = false;
   }
+  if (now.supports && case_.supports())
+    for (const auto& [label, region] : case_.supports()->regions)
+      preopStyle.patchColours[label] = supportColour(region.kind, label);
   // Of two patches on each other, one must be told from the other.
   if (now.preop && now.scan)
     for (const int label : patchLabels(*now.scan)) scanStyle.patchColours[label] = scanPatchColour(label);
   draw(preop_, now.preop, now.sceneFromPreop, now.preopMap, preopStyle);
   draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
-  followStructures(!scanAlone());
+  followStructures(!scanAlone() && !now.deformed);  // they have moved as well, and nobody has said where to
   followLandmarks();
   followTexts(now);
   scene_.orientation().setVisible(!scanAlone() || case_.registration() != nullptr);
@@ -131,10 +170,11 @@ bool CaseScene::follow() {
     fittedWide_ = outside;
     followedScan_ = now.sceneFromScan;
   }
-  const bool news = strayed || fittedDistance_ != now.distance || directedScanAlone_ != scanAlone() ||
-                    fittedRegistration_ != case_.registration() ||
-                    (!now.distance && !std::all_of(visible.begin(), visible.end(), known));
-  if (!now.distance) fitted_ = visible;
+  const bool news = strayed || fittedBar_ != now.bar() || fittedDistance_ != now.distance ||
+                    directedScanAlone_ != scanAlone() || fittedRegistration_ != case_.registration() ||
+                    (!now.distance && !now.deformed && !std::all_of(visible.begin(), visible.end(), known));
+  if (!now.distance && !now.deformed) fitted_ = visible;  // a liver that moves is looked at from one place
+  fittedBar_ = now.bar();
   fittedDistance_ = now.distance;
   fittedRegistration_ = case_.registration();
   return news;
@@ -175,12 +215,16 @@ void CaseScene::followTexts(const Wanted& now) {
   if (now.distance) {
     bar_.show(now.preopMap ? *now.preopMap : *now.scanMap);
     title_.setText("Positive: the intra-operative surface lies outside the pre-operative one");
+  } else if (now.bar()) {
+    bar_.show(*now.preopMap);
+    title_.setText(view_.options().deformedCaption);
   } else {
     bar_.clear();
     const bool outdated =
         case_.registrationStale() && now.preop && now.scan && view_.options().afterRegistration;
     title_.setText(!now.preop && !now.scan && structures_.empty()
                        ? "Open or drop a label map, surface, scan or case"
+                   : now.deformed                      ? view_.options().deformedCaption
                    : view_.options().livePreopFromScan ? view_.options().liveCaption
                    : outdated                          ? "Registration is out of date"
                                                        : "");
@@ -188,12 +232,16 @@ void CaseScene::followTexts(const Wanted& now) {
     for (const auto& surface : {now.preop, now.scan}) {
       if (!surface) continue;
       const bool light = both && surface == now.scan;
+      const bool held = now.supports && surface == now.preop;
       for (const int label : patchLabels(*surface))
         entries.push_back(
-            {light ? scanPatchColour(label) : patchColour(label), (light  ? "scan: "
-                                                                   : both ? "liver: "
-                                                                          : "") +
-                                                                      patchName(*surface, label)});
+            {light  ? scanPatchColour(label)
+             : held ? supportColour(case_.supports()->regions.at(label).kind, label)
+                    : patchColour(label),
+             (light  ? "scan: "
+              : both ? "liver: "
+                     : "") +
+                 (held ? supportCaption(case_.supports()->regions.at(label)) : patchName(*surface, label))});
     }
   }
   legend_.show(entries);
@@ -271,7 +319,7 @@ void CaseScene::fit(double widthPx, double heightPx) {
   ViewMargins margins;
   // Title, legend and colour bar with their words stand beside the liver rather than on it.
   margins.top = std::min(0.3, (legendLines_ > 0 ? 3.2 + 1.5 * legendLines_ : 2.6) * textPx_ / heightPx);
-  if (fittedDistance_) margins.right = std::min(0.4, 11.5 * textPx_ / widthPx);
+  if (fittedBar_) margins.right = std::min(0.4, 11.5 * textPx_ / widthPx);
   fitView(scene_.renderer(), points, direction, widthPx / heightPx, margins);
 }
 

@@ -53,6 +53,8 @@ class CaseScene {
   [[nodiscard]] ViewDirection firstDirection() const;
   /// Whether much of the scan is outside of the view as it stands.
   [[nodiscard]] bool scanOutOfSight() const;
+  [[nodiscard]] std::shared_ptr<const Surface> withSupports(
+      const std::shared_ptr<const Surface>& liver) const;
   void followStructures(bool visible);
   void followLandmarks();
   void followTexts(const Wanted& wanted);
@@ -66,8 +68,14 @@ class CaseScene {
   LegendPresenter& legend_;
   TextPresenter& title_;
   std::map<std::string, SurfacePresenter*> structures_;
+  struct Supported {
+    std::shared_ptr<const Surface> liver;
+    std::shared_ptr<const SupportPainting> painting;
+    std::shared_ptr<const Surface> shown;
+  };
+  mutable Supported supported_;       ///< the last liver drawn with its supports
   std::vector<ShownSurface> fitted_;  ///< what was on screen when follow() last asked for a fit
-  bool fittedDistance_ = false;
+  bool fittedBar_ = false, fittedDistance_ = false;
   Isometry3d followedScan_ = Isometry3d::Identity();  ///< where the last follow() drew the scan
   bool fittedWide_ = false;                           ///< the last fit was made because it lay outside
   int legendLines_ = 0;

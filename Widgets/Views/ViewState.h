@@ -1,10 +1,12 @@
 #pragma once
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "Logic/Core/Signal.h"
+#include "Logic/Core/Surface.h"
 #include "Logic/Core/Types.h"
 
 namespace falciform {
@@ -45,6 +47,13 @@ struct ViewOptions {
   bool distanceOnScan = false;                ///< colours on the scan instead of the liver
   double distanceLimitMm = 10;                ///< colours run from minus this to plus this
   bool painting = false;                      ///< left drag paints
+  bool supportsShown = false;                 ///< painted supports on the liver in place of its patches
+  /// The pre-operative surface as supports move it, with "displacement_mm"; not stored. Painting shows the
+  /// liver at rest.
+  std::shared_ptr<const Surface> liveDeformed;
+  std::string deformedCaption;      ///< what it is
+  bool displacementColours = true;  ///< how far it has moved as colour, else its supports
+  double displacementLimitMm = 10;  ///< colours run from 0 to this
 
   bool operator==(const ViewOptions&) const = default;
 };
