@@ -49,6 +49,9 @@ void describe(MeshSettings& s, Visitor&& field) {
   field(FieldInfo{"maxRepairMm", "Largest repair", "mm", 0, 20,
                   "Largest radius of the balls that close clefts; 0 is half the edge length."},
         s.maxRepairMm);
+  field(FieldInfo{"largestPiece", "Largest piece only", "", 0, 1,
+                  "Of a surface in several pieces take the largest; otherwise it is refused."},
+        s.largestPiece);
 }
 
 }  // namespace falciform

@@ -1,5 +1,8 @@
 #include "Modules/CommandLine/MeshPicture.h"
 
+#include <array>
+#include <limits>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -24,27 +27,36 @@ Vector3d middleOf(const TetrahedralMesh& mesh, Index element) {
       .transpose();
 }
 
-/// Of the tumours' elements, or of all where there are no tumours.
-double cutAt(const TetrahedralMesh& mesh) {
-  double sum = 0, count = 0, all = 0;
+/// Mean y of each region's elements: from front to back in LPS.
+std::map<int, double> depthOfRegions(const TetrahedralMesh& mesh) {
+  std::map<int, std::pair<double, double>> sums;
   for (Index e = 0; e < mesh.size(); ++e) {
-    const double y = middleOf(mesh, e).y();
-    all += y;
-    if (mesh.regionOf(e) == 0) continue;
-    sum += y;
+    auto& [sum, count] = sums[mesh.regionOf(e)];
+    sum += middleOf(mesh, e).y();
     ++count;
   }
-  return count > 0 ? sum / count : all / static_cast<double>(mesh.size());
+  std::map<int, double> depths;
+  for (const auto& [region, sum] : sums) depths[region] = sum.first / sum.second;
+  return depths;
 }
 
-TetrahedralMesh behind(const TetrahedralMesh& mesh, double y) {
+/// Cut through the rearmost tumour, or the middle; tumours before the cut stay whole.
+TetrahedralMesh cutOpen(const TetrahedralMesh& mesh) {
+  std::map<int, double> depths = depthOfRegions(mesh);
+  double cut = depths.begin()->second;
+  if (depths.size() > 1) {
+    depths.erase(0);
+    cut = -std::numeric_limits<double>::infinity();
+    for (const auto& [region, depth] : depths) cut = std::max(cut, depth);
+  }
   TetrahedralMesh kept{.points = mesh.points, .elements = {}, .regions = {}, .frame = mesh.frame};
   std::vector<Index> rows;
-  for (Index e = 0; e < mesh.size(); ++e)
-    if (middleOf(mesh, e).y() >= y) {
-      rows.push_back(e);
-      kept.regions.push_back(mesh.regionOf(e));
-    }
+  for (Index e = 0; e < mesh.size(); ++e) {
+    const int region = mesh.regionOf(e);
+    if (middleOf(mesh, e).y() < cut && (region == 0 || depths[region] >= cut)) continue;
+    rows.push_back(e);
+    kept.regions.push_back(region);
+  }
   kept.elements = mesh.elements(rows, Eigen::all);
   return kept;
 }
@@ -85,7 +97,7 @@ Surface drawn(const TetrahedralMesh& kept, const TetrahedralMesh& whole) {
 
 void saveMeshPicture(const TetrahedralMesh& mesh, const std::filesystem::path& file, Overwrite overwrite) {
   const TetrahedralMesh whole = linearMesh(mesh);
-  const TetrahedralMesh kept = behind(whole, cutAt(whole));
+  const TetrahedralMesh kept = cutOpen(whole);
   SceneStyle look;
   look.textPx = 2 * kHeight / 45;
   Scene scene(look);
