@@ -3,9 +3,10 @@
 namespace falciform::commandline {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all{
-      importCommand(), patchesCommand(),    registerCommand(), distanceCommand(), runCommand(),
-      demoCommand(),   synthesiseCommand(), trialsCommand(),   meshCommand(),     infoCommand()};
+  static const std::vector<Command> all{importCommand(),     patchesCommand(),   registerCommand(),
+                                        distanceCommand(),   runCommand(),       demoCommand(),
+                                        synthesiseCommand(), trialsCommand(),    meshCommand(),
+                                        atlasBuildCommand(), atlasInfoCommand(), infoCommand()};
   return all;
 }
 

@@ -8,7 +8,7 @@
 
 namespace falciform::commandline {
 
-/// One word after `falciform`: what it takes and what it does.
+/// One word after `falciform`, or two as in `falciform atlas build`: what it takes and what it does.
 struct Command {
   std::string name, title, summary;
   void (*declare)(Syntax& syntax) = nullptr;
@@ -24,6 +24,8 @@ struct Command {
 [[nodiscard]] Command synthesiseCommand();
 [[nodiscard]] Command trialsCommand();
 [[nodiscard]] Command meshCommand();
+[[nodiscard]] Command atlasBuildCommand();
+[[nodiscard]] Command atlasInfoCommand();
 [[nodiscard]] Command infoCommand();
 
 /// All of them, in the order of the work.

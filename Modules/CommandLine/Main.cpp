@@ -76,10 +76,14 @@ void dispatch(const std::vector<std::string>& words, const std::stop_source& sto
     return;
   }
   if (words.empty()) throw InputError("no command given; see falciform --help");
+  const std::string second = words.size() < 2 ? "" : words[1], both = first + " " + second;
+  std::vector<std::string_view> seconds;
   for (const Command& command : commands()) {
-    if (command.name != first) continue;
+    if (command.name.starts_with(first + " "))
+      seconds.push_back(std::string_view(command.name).substr(first.size() + 1));
+    if (command.name != first && command.name != both) continue;
     const Syntax syntax = syntaxOf(command);
-    const ParsedArguments arguments(syntax, {words.begin() + 1, words.end()});
+    const ParsedArguments arguments(syntax, {words.begin() + (command.name == first ? 1 : 2), words.end()});
     if (arguments.has("help"))
       std::cout << helpText(syntax);
     else if (arguments.has("xml"))
@@ -88,6 +92,13 @@ void dispatch(const std::vector<std::string>& words, const std::stop_source& sto
       execute(command, syntax, arguments, callWithoutFolders(words), stop);
     return;
   }
+  if (!seconds.empty() && (second == "--help" || second == "-h")) {
+    std::cout << overviewText();
+    return;
+  }
+  if (!seconds.empty())
+    throw InputError("'" + first + "' wants a second word: " + listOfNames(seconds) +
+                     "; see falciform --help");
   throw InputError("there is no command '" + first + "'; see falciform --help");
 }
 

@@ -1,0 +1,50 @@
+#include "Logic/Atlas/AtlasFiles.h"
+#include "Modules/CommandLine/AtlasFigures.h"
+#include "Modules/CommandLine/Commands.h"
+
+namespace falciform::commandline {
+
+namespace {
+
+void declare(Syntax& syntax) {
+  using enum ArgumentKind;
+  const std::string group = "Files";
+  syntax.add({.name = "members",
+              .kind = Flag,
+              .label = "Members",
+              .help = "Also list every setup and every member.",
+              .group = group});
+  syntax.add({.name = "FILE",
+              .kind = File,
+              .label = "Atlas",
+              .help = "Atlas that falciform atlas build wrote, .h5.",
+              .required = true,
+              .positional = true,
+              .group = group});
+  for (const ResultField& field : atlasResultFields()) syntax.addResult(field);
+}
+
+void execute(const ParsedArguments& arguments, CommandRun& run) {
+  const std::filesystem::path file = arguments.path("FILE");
+  run.progress.report(0, "Reading");
+  const StoredAtlas stored = readAtlas(file);
+  run.remember(file);
+  run.figures = atlasFigures(stored.atlas);
+  run.figures["built_utc"] = stored.provenance.value("started_utc", "");
+  for (const std::string& line : atlasLines(stored.atlas)) run.say(line);
+  run.say("built " + stored.provenance.value("started_utc", "") + " by falciform " +
+          stored.provenance.value("version", ""));
+  run.warn(atlasWarnings(stored.atlas));
+  if (!arguments.has("members")) return;
+  for (const std::string& line : setupLines(stored.atlas)) run.say(line);
+  for (const std::string& line : memberLines(stored.atlas)) run.say(line);
+}
+
+}  // namespace
+
+Command atlasInfoCommand() {
+  return {"atlas info", "Atlas information", "Says what an atlas holds: rank, energy, members, supports.",
+          declare, execute};
+}
+
+}  // namespace falciform::commandline
