@@ -3,13 +3,16 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <memory>
+#include <fstream>
+#include <stdexcept>
 
 #include "Logic/Atlas/SealedFile.h"
 #include "Logic/Core/Errors.h"
 
 namespace falciform {
 namespace {
+
+constexpr std::size_t kGrowth = 1 << 22;  // bytes by which a file in memory grows
 
 /// An HDF5 identifier that is closed at the end of the scope.
 class Handle {
@@ -63,31 +66,33 @@ bool writeAttribute(hid_t file, const std::string& name, hid_t type, const void*
   return attribute.valid() && H5Awrite(attribute, type, value) >= 0;
 }
 
+/// In memory nothing of this can fail but for want of it.
+void require(bool done) {
+  if (!done) throw std::runtime_error("HDF5 could not put an array together");
+}
+
 }  // namespace
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) : file_(file) {
   keepHdf5Quiet();
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_userblock(creation, kSealBytes);
-  handle_ = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT);
-  if (handle_ < 0) fail();
+  H5Pset_fapl_core(access, kGrowth, false);
+  handle_ = H5Fcreate(file.c_str(), H5F_ACC_TRUNC, creation, access);
+  require(handle_ >= 0);
 }
 
 Hdf5Writer::~Hdf5Writer() {
   if (handle_ >= 0) H5Fclose(handle_);
 }
 
-void Hdf5Writer::fail() const {
-  throw InputError("cannot write '" + file_.string() + "'; is the disk full, or the folder not yours?");
-}
-
 void Hdf5Writer::numbers(const std::string& name, const double* values, const Lengths& lengths) {
-  if (!writeSet(handle_, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values, lengths)) fail();
+  require(writeSet(handle_, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values, lengths));
 }
 
 void Hdf5Writer::integers(const std::string& name, const std::vector<std::int32_t>& values,
                           const Lengths& lengths) {
-  if (!writeSet(handle_, name, H5T_STD_I32LE, H5T_NATIVE_INT32, values.data(), lengths)) fail();
+  require(writeSet(handle_, name, H5T_STD_I32LE, H5T_NATIVE_INT32, values.data(), lengths));
 }
 
 void Hdf5Writer::texts(const std::string& name, const std::vector<std::string>& values) {
@@ -96,29 +101,39 @@ void Hdf5Writer::texts(const std::string& name, const std::vector<std::string>& 
   std::string all;
   for (const std::string& value : values) all += value + std::string(longest - value.size(), '\0');
   const Handle type = textType(longest);
-  if (!writeSet(handle_, name, type, type, all.data(), {values.size()})) fail();
+  require(writeSet(handle_, name, type, type, all.data(), {values.size()}));
 }
 
 void Hdf5Writer::text(const std::string& name, const std::string& value) {
   const Handle type = textType(value.size());
-  if (!writeSet(handle_, name, type, type, value.empty() ? "\0" : value.data(), {})) fail();
+  require(writeSet(handle_, name, type, type, value.empty() ? "\0" : value.data(), {}));
 }
 
 void Hdf5Writer::attribute(const std::string& name, std::int32_t value) {
-  if (!writeAttribute(handle_, name, H5T_NATIVE_INT32, &value)) fail();
+  require(writeAttribute(handle_, name, H5T_NATIVE_INT32, &value));
 }
 void Hdf5Writer::attribute(const std::string& name, double value) {
-  if (!writeAttribute(handle_, name, H5T_NATIVE_DOUBLE, &value)) fail();
+  require(writeAttribute(handle_, name, H5T_NATIVE_DOUBLE, &value));
 }
 void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
   const Handle type = textType(value.size());
-  if (!writeAttribute(handle_, name, type, value.empty() ? "\0" : value.data())) fail();
+  require(writeAttribute(handle_, name, type, value.empty() ? "\0" : value.data()));
 }
 
 void Hdf5Writer::close() {
-  const herr_t flushed = H5Fflush(handle_, H5F_SCOPE_GLOBAL), closed = H5Fclose(handle_);
+  require(H5Fflush(handle_, H5F_SCOPE_GLOBAL) >= 0);
+  const ssize_t size = H5Fget_file_image(handle_, nullptr, 0);
+  require(size > 0);
+  // The image lacks the room for the seal that all places in it count from.
+  std::vector<char> image(kSealBytes + static_cast<std::size_t>(size), ' ');
+  require(H5Fget_file_image(handle_, image.data() + kSealBytes, static_cast<std::size_t>(size)) == size);
+  H5Fclose(handle_);
   handle_ = -1;
-  if (flushed < 0 || closed < 0) fail();
+  std::ofstream stream(file_, std::ios::binary | std::ios::trunc);
+  stream.write(image.data(), static_cast<std::streamsize>(image.size()));
+  stream.close();
+  if (!stream)
+    throw InputError("cannot write '" + file_.string() + "'; is the disk full, or the folder not yours?");
 }
 
 /// One array, opened and its shape known.

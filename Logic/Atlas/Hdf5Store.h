@@ -10,7 +10,8 @@ namespace falciform {
 using Lengths = std::vector<std::uint64_t>;
 
 /// Writes arrays into a new HDF5 file that leaves room for a seal (SealedFile.h). Names are paths, "mesh/x";
-/// groups are made as needed. Every function throws InputError if the disk does not take it.
+/// groups are made as needed. All is held in memory until close(), since HDF5 does not survive a disk that is
+/// full. Throws InputError if the disk does not take it.
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(const std::filesystem::path& file);
@@ -23,14 +24,13 @@ class Hdf5Writer {
   void integers(const std::string& name, const std::vector<std::int32_t>& values, const Lengths& lengths);
   void texts(const std::string& name, const std::vector<std::string>& values);
   void text(const std::string& name, const std::string& value);
-  /// A number or text in the file's own attributes.
+  /// A number or text among the file's own attributes.
   void attribute(const std::string& name, std::int32_t value);
   void attribute(const std::string& name, double value);
   void attribute(const std::string& name, const std::string& value);
   void close();
 
  private:
-  [[noreturn]] void fail() const;
   std::filesystem::path file_;
   std::int64_t handle_ = -1;
 };

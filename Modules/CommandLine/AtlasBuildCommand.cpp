@@ -103,10 +103,15 @@ class Build {
       solve(job, kept);
       finish(job, kept);
     } catch (const Cancelled&) {
-      if (kept.count() == 0) throw;
-      throw Interrupted("cancelled; " + std::to_string(kept.count()) + " of " +
-                        std::to_string(job.solves.solves.size()) + " solves are kept in '" +
-                        kept.folder().string() + "', and the same command goes on from there");
+      if (kept.count() > 0)
+        throw Interrupted("cancelled; " + std::to_string(kept.count()) + " of " +
+                          std::to_string(job.solves.solves.size()) + " solves are kept in '" +
+                          kept.folder().string() + "', and the same command goes on from there");
+      kept.remove();
+      throw;
+    } catch (...) {
+      if (kept.count() == 0) kept.remove();
+      throw;
     }
   }
 

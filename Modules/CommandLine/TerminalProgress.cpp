@@ -21,6 +21,9 @@ void showInSlicer(double fraction, const std::string& stage) {
   std::fflush(stdout);
 }
 
+/// The thread that waits for signals, for the handler.
+pthread_t waiter;
+
 }  // namespace
 
 Progress makeProgress(ProgressStyle style, std::stop_token stop) {
@@ -58,10 +61,16 @@ std::stop_source stopOnSignals() {
   sigaddset(&waited, SIGINT);  // also where a script's shell has it ignored for jobs in the background
   sigaddset(&waited, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &waited, nullptr);
-  std::thread([source, waited]() mutable {
+  std::thread waiting([source, waited]() mutable {
     int signal = 0;
     if (sigwait(&waited, &signal) == 0) source.request_stop();
-  }).detach();
+  });
+  waiter = waiting.native_handle();
+  waiting.detach();
+  // All but those that a library started before main, as OpenBLAS does: they hand the signal on.
+  struct sigaction action {};
+  action.sa_handler = [](int signal) { pthread_kill(waiter, signal); };
+  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
   return source;
 }
 
