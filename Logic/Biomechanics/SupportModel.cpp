@@ -12,18 +12,6 @@
 namespace falciform {
 namespace {
 
-SupportKind kindOf(SupportRegionKind kind) {
-  switch (kind) {
-    case SupportRegionKind::Sliding:
-      return SupportKind::Sliding;
-    case SupportRegionKind::Pushed:
-      return SupportKind::Pushed;
-    case SupportRegionKind::Fixed:
-      break;
-  }
-  return SupportKind::Fixed;
-}
-
 std::vector<int> nearestFaces(const SupportSites& sites, const Points& points) {
   const TriangleTree tree(sites.boundary.surface);
   std::vector<int> faces(static_cast<std::size_t>(points.rows()));
@@ -113,6 +101,18 @@ std::shared_ptr<const SupportModel> prepareSupportModel(const std::shared_ptr<co
                                               std::move(candidates), std::move(solver));
 }
 
+SupportKind supportKindOf(SupportRegionKind kind) {
+  switch (kind) {
+    case SupportRegionKind::Sliding:
+      return SupportKind::Sliding;
+    case SupportRegionKind::Pushed:
+      return SupportKind::Pushed;
+    case SupportRegionKind::Fixed:
+      break;
+  }
+  return SupportKind::Fixed;
+}
+
 std::vector<int> faceLabels(const SupportModel& model, const std::vector<int>& pointLabels) {
   return labelsOfFaces(model.preop->points, model.faceOfPoint, model.sites.centres, pointLabels);
 }
@@ -132,7 +132,7 @@ PaintedSupports supportsOf(const SupportModel& model, const SupportPainting& pai
     }
     Support support;
     support.name = region.name;
-    support.kind = kindOf(region.kind);
+    support.kind = supportKindOf(region.kind);
     support.faces = faces[label];
     support.pushMm = region.kind == SupportRegionKind::Pushed ? region.pushMm : 0;
     painted.supports.push_back(std::move(support));

@@ -37,6 +37,8 @@ struct SupportModel {
 /// nearest point where there is none.
 [[nodiscard]] std::vector<int> faceLabels(const SupportModel& model, const std::vector<int>& pointLabels);
 
+[[nodiscard]] SupportKind supportKindOf(SupportRegionKind kind);
+
 /// The painted regions as supports, ascending by label; `labels` says which is which. A region too small to
 /// fill half of any face is left out and named in `warnings`.
 struct PaintedSupports {

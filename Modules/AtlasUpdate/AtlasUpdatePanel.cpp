@@ -1,45 +1,238 @@
 #include "Modules/AtlasUpdate/AtlasUpdatePanel.h"
 
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QInputDialog>
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include "Modules/AtlasUpdate/LiveDeformation.h"
+#include "Modules/AtlasUpdate/SliderBox.h"
+#include "Modules/AtlasUpdate/SupportBrush.h"
+#include "Modules/AtlasUpdate/SupportTable.h"
+#include "Modules/AtlasUpdate/SupportWords.h"
+#include "Widgets/Forms/SettingsForm.h"
 
 namespace falciform {
 
 AtlasUpdatePanel::AtlasUpdatePanel(Workbench& workbench, QWidget* parent)
     : ModulePanel(workbench,
-                  tr("Moves tumours and vessels to where the deformed liver has carried them, by a model "
-                     "fitted to the scan."),
-                  parent) {
-  auto* group = addGroup(tr("What this step waits for"));
+                  tr("How the liver deforms when it is packed, held or turned: paint what holds it, and move "
+                     "the sliders."),
+                  parent),
+      logic_(document()),
+      live_(new LiveDeformation(logic_, workbench.view, workbench.runner.mode(), this)) {
+  addModel();
+  addSupports();
+  addLive();
+  addUpdate();
+  viewChanged_ = bench().view.changed.connect([this] {
+    if (entered_) refresh();
+  });
+  brushChanged_ = bench().view.brushChanged.connect([this] {
+    if (entered_ && bench().painting.label > 0) chosen_ = bench().painting.label;
+    if (entered_) refresh();
+  });
+  connect(live_, &LiveDeformation::changed, this, &AtlasUpdatePanel::showLiver);
+  start();
+  showLiver();
+}
+
+AtlasUpdatePanel::~AtlasUpdatePanel() = default;
+
+void AtlasUpdatePanel::addModel() {
+  auto* group = addGroup(tr("Model of the liver"));
+  modelForm_ =
+      new SettingsForm(logic_.settings, {"edgeLengthMm", "youngsModulusKPa", "poissonsRatio"}, {}, this);
+  modelForm_->setObjectName("modelSettings");
+  group->addWidget(modelForm_);
+  prepare_ = new QPushButton(tr("Prepare the model"), this);
+  prepare_->setObjectName("prepareModel");
+  prepare_->setToolTip(
+      tr("Fills the liver with elements and factorises their stiffness, once; takes seconds, more for a "
+         "shorter edge length (mm)"));
+  group->addWidget(prepare_);
+  missing_ = wrappedLabel("missing", this);
+  group->addWidget(missing_);
+  facts_ = wrappedLabel("modelFacts", this);
+  group->addWidget(facts_);
+  connect(prepare_, &QPushButton::clicked, this, &AtlasUpdatePanel::prepareModel);
+  connect(modelForm_, &SettingsForm::edited, this, [this] { refresh(); });
+}
+
+void AtlasUpdatePanel::addSupports() {
+  auto* group = addGroup(tr("Supports"));
+  templateForm_ =
+      new SettingsForm(logic_.templateSettings, {"posture", "extentMm"}, {"pushMm", "turnDeg"}, this);
+  templateForm_->setObjectName("templateSettings");
+  group->addWidget(templateForm_);
+  fill_ = new QPushButton(tr("Fill from template"), this);
+  fill_->setObjectName("fillTemplate");
+  fill_->setToolTip(
+      tr("Paints the template's supports, placed by the falciform patch and the liver's shape, in place of "
+         "what is painted; can be undone and edited"));
+  group->addWidget(fill_);
+  table_ = new SupportTable(this);
+  group->addWidget(table_);
+  brush_ = new SupportBrush(bench(), this);
+  group->addWidget(brush_);
+  connect(fill_, &QPushButton::clicked, this, &AtlasUpdatePanel::fillTemplate);
+  connect(table_, &SupportTable::edited, this, [this](const SupportPainting& painting) {
+    document().setSupports(std::make_shared<const SupportPainting>(painting));
+  });
+  connect(table_, &SupportTable::choiceMade, this, &AtlasUpdatePanel::choose);
+  connect(brush_, &SupportBrush::changed, this, [this] { refresh(); });
+  connect(brush_, &SupportBrush::newRegionWanted, this, [this] {
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("New support"), tr("Name of the support:"),
+                                               QLineEdit::Normal, {}, &accepted);
+    if (accepted && !name.trimmed().isEmpty()) addRegion(name.trimmed());
+  });
+}
+
+void AtlasUpdatePanel::addLive() {
+  auto* group = addGroup(tr("The liver as it is held"));
+  auto* form = new QFormLayout;
+  turn_ = new SliderBox("turnDeg", {-45, 45, 1, -90, 90}, QString::fromUtf8("°"), this);
+  turn_->setTip(
+      tr("Patient and table turned onto the left side since the CT, below 0 onto the right: gravity "
+         "pulls the other way.\nUnit: degrees\nRange: -90 to 90 (slider -45 to 45)\nDefault: 0"));
+  form->addRow(tr("Turn to the left"), turn_);
+  group->addLayout(form);
+  colours_ = new QCheckBox(tr("Colour by displacement"), this);
+  colours_->setObjectName("displacementColours");
+  colours_->setToolTip(
+      tr("How far each place has moved, in mm; off: the painted supports on the moved liver"));
+  group->addWidget(colours_);
+  liveMissing_ = wrappedLabel("liveMissing", this);
+  figures_ = wrappedLabel("deformationFigures", this);
+  warnings_ = wrappedLabel("deformationWarnings", this);
+  for (QLabel* words : {liveMissing_, figures_, warnings_}) group->addWidget(words);
+  connect(turn_, &SliderBox::moved, this, [this](double degrees) {
+    if (!logic_.supports()) return;
+    SupportPainting painting = *logic_.supports();
+    painting.turnDeg = degrees;
+    document().setSupports(std::make_shared<const SupportPainting>(std::move(painting)));
+  });
+  connect(colours_, &QCheckBox::toggled, this, [this](bool on) {
+    bench().view.edit([&](ViewOptions& options) { options.displacementColours = on; });
+  });
+}
+
+void AtlasUpdatePanel::addUpdate() {
+  auto* group = addGroup(tr("What the update waits for"));
   needs_ = wrappedLabel("atlasNeeds", this);
   needs_->setTextFormat(Qt::RichText);
   group->addWidget(needs_);
   QLabel* words = wrappedLabel("atlasNotYet", this);
   words->setText(
-      tr("The update needs a deformation atlas of this liver: a set of computed deformations under many "
-         "supports and postures (thesis ch. V). This version of Falciform cannot build one yet, so there "
-         "is nothing to start here. The first four steps do not depend on it."));
+      tr("Moving tumours and vessels to where the liver in the scan has carried them needs a deformation "
+         "atlas that is fitted to the scan (thesis ch. V). \"falciform atlas build\" makes such an atlas on "
+         "the command line; fitting it is not part of this version. What the sliders show is computed from "
+         "the supports that you painted, not measured."));
   group->addWidget(words);
-  start();
 }
 
 void AtlasUpdatePanel::enter() {
+  entered_ = true;
+  targetBefore_ = bench().painting.target;
+  labelBefore_ = bench().painting.label;
+  bench().painting.target = PaintTarget::Supports;
+  bench().painting.label = chosen_;
   bench().view.edit([](ViewOptions& options) {
-    options.arrangement = Arrangement::Together;
+    options.arrangement = Arrangement::PreopOnly;
     options.distanceShown = false;
+    options.supportsShown = true;
   });
+  live_->update();
+  refresh();
+}
+
+void AtlasUpdatePanel::leave() {
+  entered_ = false;
+  bench().view.edit([](ViewOptions& options) { options.painting = options.supportsShown = false; });
+  live_->hide();
+  bench().painting.target = targetBefore_;
+  bench().painting.label = labelBefore_;
+}
+
+void AtlasUpdatePanel::caseChanged(Case::Part part) {
+  if (entered_ && (part == Case::Part::Supports || part == Case::Part::Preop)) live_->update();
+}
+
+void AtlasUpdatePanel::prepareModel() {
+  bench().runner.start(
+      tr("Preparing the model"), logic_.prepare(), [this](std::shared_ptr<const SupportModel> model) {
+        if (!logic_.accept(std::move(model))) {
+          bench().log.warn(tr("The liver changed while its model was prepared: it is dropped."));
+          return;
+        }
+        bench().log.info(tr("Model ready: %1").arg(modelWords(*logic_.model())));
+        for (const std::string& warning : modelWarnings(*logic_.model()))
+          bench().log.warn(QString::fromStdString(warning));
+        if (entered_) live_->update();
+      });
+}
+
+void AtlasUpdatePanel::fillTemplate() {
+  if (!logic_.model() || bench().painting.inStroke()) return;
+  SupportPainting filled = logic_.templatePainting();
+  const std::vector<int> labels = filled.labels;
+  // Kinds and distances first, labels then as one step of the brush, which undo takes back.
+  filled.labels = logic_.supports()->labels;
+  document().setSupports(std::make_shared<const SupportPainting>(std::move(filled)));
+  (void)bench().painting.replaceLabels(labels);
+  refresh();
+}
+
+void AtlasUpdatePanel::choose(int label) {
+  chosen_ = label;
+  if (entered_) bench().painting.label = label;
+  refresh();
+}
+
+void AtlasUpdatePanel::addRegion(const QString& name) {
+  if (!logic_.supports()) return;
+  SupportPainting painting = *logic_.supports();
+  int next = support_label::kFirstNamed;
+  while (painting.regions.contains(next)) ++next;
+  if (next > support_label::kMax) return;
+  painting.regions[next] = {name.toStdString(), SupportRegionKind::Fixed, 0};
+  document().setSupports(std::make_shared<const SupportPainting>(std::move(painting)));
+  choose(next);
 }
 
 void AtlasUpdatePanel::refresh() {
-  const auto line = [](bool have, const QString& text) {
-    return QString("%1 %2").arg(have ? QString::fromUtf8("✓") : QString::fromUtf8("–"), text.toHtmlEscaped());
-  };
-  const bool registered = document().registration() && !document().registrationStale();
-  needs_->setText(QStringList{line(document().preop() != nullptr, tr("a pre-operative surface")),
-                              line(document().scan() != nullptr, tr("an intra-operative scan")),
-                              line(registered, tr("an up-to-date registration of the two")),
-                              line(false, tr("a deformation atlas (not in this version)"))}
-                      .join("<br>"));
+  showReadiness(prepare_, missing_, logic_.missingInput());
+  facts_->setText(modelState(logic_));
+  facts_->setVisible(logic_.missingInput().empty());
+  const auto supports = logic_.supports();
+  fill_->setEnabled(logic_.model() != nullptr);
+  table_->show(supports);
+  table_->setEnabled(supports != nullptr);
+  {
+    const QSignalBlocker quiet(table_);
+    table_->choose(chosen_);
+  }
+  brush_->refresh(supports ? chosen_ : 0);
+  turn_->setEnabled(supports != nullptr);
+  turn_->setValue(supports ? supports->turnDeg : 0);
+  {
+    const QSignalBlocker quiet(colours_);
+    colours_->setChecked(bench().view.options().displacementColours);
+  }
+  needs_->setText(updateNeeds(document()));
+}
+
+void AtlasUpdatePanel::showLiver() {
+  const SupportLogic::Answer* shown = live_->shown();
+  liveMissing_->setText(shown ? QString() : !live_->missing().isEmpty() ? live_->missing() : tr("At rest."));
+  liveMissing_->setVisible(!shown);
+  figures_->setText(shown ? deformationWords(shown->liver) : QString());
+  figures_->setVisible(shown != nullptr);
+  showWarnings(warnings_, shown ? deformationWarnings(*shown) : std::vector<std::string>{});
 }
 
 }  // namespace falciform

@@ -1,23 +1,61 @@
 #pragma once
+#include "Logic/Biomechanics/SupportLogic.h"
 #include "Modules/ModulePanel.h"
+
+class QCheckBox;
 
 namespace falciform {
 
-/// Says what the model update will need and which of it the case holds already. There is no atlas in this
-/// version.
+class LiveDeformation;
+class SettingsForm;
+class SliderBox;
+class SupportBrush;
+class SupportTable;
+
+/// The mechanical model of the liver, the supports painted on it, and the liver as they move it, live. The
+/// update of tumours and vessels that all this is for waits for an atlas; the panel says so.
 class AtlasUpdatePanel : public ModulePanel {
   Q_OBJECT
 
  public:
   explicit AtlasUpdatePanel(Workbench& workbench, QWidget* parent = nullptr);
+  ~AtlasUpdatePanel() override;
 
+  [[nodiscard]] SupportLogic& logic() { return logic_; }
   void enter() override;
+  void leave() override;
+  /// Another support to paint, fixed at first.
+  void addRegion(const QString& name);
 
  protected:
   void refresh() override;
+  void caseChanged(Case::Part part) override;
 
  private:
-  QLabel* needs_;
+  void addModel();
+  void addSupports();
+  void addLive();
+  void addUpdate();
+  void prepareModel();
+  void fillTemplate();
+  void choose(int label);
+  void showModelFacts();
+  void showLiver();
+
+  SupportLogic logic_;
+  LiveDeformation* live_;
+  bool entered_ = false;
+  int chosen_ = support_label::kLeftPacking;
+  PaintTarget targetBefore_ = PaintTarget::Preop;
+  int labelBefore_ = patch::kFalciform;
+  SettingsForm *modelForm_, *templateForm_;
+  QPushButton *prepare_, *fill_;
+  QLabel *missing_, *facts_, *liveMissing_, *figures_, *warnings_, *needs_;
+  SupportTable* table_;
+  SupportBrush* brush_;
+  SliderBox* turn_;
+  QCheckBox* colours_;
+  Connection viewChanged_, brushChanged_;
 };
 
 }  // namespace falciform

@@ -39,8 +39,7 @@ TEST_P(EveryModule, HasANameAndATooltipOnEveryControl) {
     EXPECT_FALSE(widget->objectName().isEmpty()) << widget->metaObject()->className();
     EXPECT_FALSE(widget->toolTip().isEmpty()) << widget->objectName().toStdString();
   }
-  const bool waits = panel->objectName() == "AtlasUpdate";
-  EXPECT_EQ(controls == 0, waits) << "only the atlas update has nothing to press";
+  EXPECT_GT(controls, 0);
 }
 
 TEST_P(EveryModule, SpinBoxesWithAUnitNameItInTheirTooltip) {

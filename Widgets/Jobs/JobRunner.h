@@ -41,6 +41,7 @@ class JobRunner : public QObject {
     }
   }
 
+  [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] bool busy() const { return busy_; }
   [[nodiscard]] const QString& title() const { return title_; }
   /// Asks the running job to stop; returns at once. It ends at its next progress report.

@@ -45,7 +45,11 @@ CaseTree::CaseTree(Case& document, ViewState& view, QWidget* parent)
     view_.setLook(partOf(item), look);
   });
   connect(this, &QTreeWidget::itemClicked, this, &CaseTree::chooseColour);
-  caseChanged_ = case_.changed.connect([this](Case::Part) { rebuild(); });
+  caseChanged_ = case_.changed.connect([this](Case::Part part) {
+    // A slider changes supports many times a second; the tree only tells whether there are any.
+    if (part == Case::Part::Supports && hadSupports_ == (case_.supports() != nullptr)) return;
+    rebuild();
+  });
   viewChanged_ = view_.changed.connect([this] { showLooks(); });
   rebuild();
 }
@@ -80,6 +84,7 @@ QTreeWidgetItem* CaseTree::addPart(const QString& name, const std::string& part,
 
 void CaseTree::rebuild() {
   filling_ = true;
+  hadSupports_ = case_.supports() != nullptr;
   // Qt deletes them later; until then nobody shall find two of one name.
   for (QSpinBox* old : findChildren<QSpinBox*>()) old->setObjectName({});
   clear();
@@ -99,6 +104,8 @@ void CaseTree::rebuild() {
   if (case_.registration())
     addFact(case_.registrationStale() ? tr("Registration (out of date)") : tr("Registration"),
             tr("%1 mm weighted RMS, fit").arg(case_.registration()->weightedRmsMm, 0, 'f', 2));
+  if (case_.supports())
+    addFact(tr("Supports"), tr("What holds and pushes the liver, painted on its surface"));
   if (case_.distance())
     addFact(tr("Distance map"), tr("Signed distance between scan and pre-op surface, mm"));
   if (topLevelItemCount() == 0) {

@@ -26,6 +26,7 @@ class CaseTree : public QTreeWidget {
   Case& case_;
   ViewState& view_;
   Connection caseChanged_, viewChanged_;
+  bool hadSupports_ = false;
   bool filling_ = false;  // the tree is writing itself: not the user's edit
 };
 
