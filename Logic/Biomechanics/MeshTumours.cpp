@@ -105,8 +105,9 @@ std::vector<TumourPiece> tumourPieces(const std::vector<Surface>& tumours, const
         const std::string why = conformed(piece, liver, pieces);
         piece.conforming = why.empty();
         if (!why.empty())
-          warnings.push_back(what + " has no surface of its own in the mesh: " + why +
-                             "; it is the elements whose centre is inside it");
+          warnings.push_back(
+              what + (parts.size() > 1 ? " has a piece without a surface" : " has no surface") +
+              " of its own in the mesh: " + why + "; it is the elements whose centre is inside it");
       } else {
         warnings.push_back(what + ": a hollow inside it was filled");
         continue;

@@ -9,6 +9,7 @@
 
 #include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Acquisition/VirtualScanner.h"
+#include "Logic/Biomechanics/MeshSettings.h"
 #include "Logic/Deformation/DistanceMapping.h"
 #include "Logic/Registration/RegistrationSettings.h"
 #include "Logic/Registration/Trials/Trials.h"
@@ -22,7 +23,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 const std::vector<std::string> kCommands{"import", "patches",    "register", "distance", "run",
-                                         "demo",   "synthesise", "trials",   "info"};
+                                         "demo",   "synthesise", "trials",   "mesh",     "info"};
 
 /// "edgeLengthMm" in mm -> "edge-length".
 std::string expectedFlag(const FieldInfo& info) {
@@ -80,6 +81,7 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
   expectSettingsInHelp<RegistrationSettings>("register");
   expectSettingsInHelp<DistanceSettings>("distance");
   expectSettingsInHelp<TrialSettings>("trials");
+  expectSettingsInHelp<MeshSettings>("mesh");
   expectSettingsInHelp<ScanVariation>("trials");
   expectSettingsInHelp<SyntheticLiverSettings>("synthesise");
   expectSettingsInHelp<VirtualScannerSettings>("synthesise");

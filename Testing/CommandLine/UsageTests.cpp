@@ -22,7 +22,7 @@ TEST(Usage, VersionAndHelpSucceedOnStandardOutput) {
 TEST(Usage, OverviewNamesEveryCommand) {
   const Ran ran = falciform({"--help"});
   for (const char* name :
-       {"import", "patches", "register", "distance", "run", "demo", "synthesise", "trials", "info"})
+       {"import", "patches", "register", "distance", "run", "demo", "synthesise", "trials", "mesh", "info"})
     EXPECT_THAT(ran.out, HasSubstr(std::string("\n  ") + name + " "));
 }
 
