@@ -8,6 +8,8 @@
 namespace falciform {
 namespace {
 
+constexpr double kFacingCosine = 0.5;  // 60 degrees
+
 const std::vector<int>& facesOf(const SupportSites& sites, const std::string& region) {
   if (region == "venaCava") return sites.venaCava;
   if (region == "posteriorBed") return sites.posteriorBed;
@@ -30,6 +32,24 @@ std::vector<Support> supportsOf(const SupportSet& set, const SupportSites& sites
   return supports;
 }
 
+/// Those of `faces` that look the way most of them do: a pack presses from one side, not both walls of a
+/// fissure apart.
+std::vector<int> facingAlike(const SupportSites& sites, const std::vector<int>& faces) {
+  const auto areaVector = [&](int f) {
+    const Surface& surface = sites.boundary.surface;
+    const auto corner = [&](int k) {
+      return Vector3d(surface.points.row(surface.triangles(f, k)).transpose());
+    };
+    return Vector3d((corner(1) - corner(0)).cross(corner(2) - corner(0)) / 2);
+  };
+  Vector3d sum = Vector3d::Zero();
+  for (const int f : faces) sum += areaVector(f);
+  std::vector<int> kept;
+  for (const int f : faces)
+    if (areaVector(f).normalized().dot(sum.normalized()) > kFacingCosine) kept.push_back(f);
+  return kept.empty() ? faces : kept;
+}
+
 /// The set's supports, and a place on the underside that is pushed.
 AtlasSetup packedSetup(const SupportSet& set, const SupportSites& sites, const Vector3d& centre,
                        double extentMm) {
@@ -38,7 +58,7 @@ AtlasSetup packedSetup(const SupportSet& set, const SupportSites& sites, const V
   Support packing;
   packing.name = "packing";
   packing.kind = SupportKind::Pushed;
-  packing.faces = packingSite(sites, centre, extentMm);
+  packing.faces = facingAlike(sites, packingSite(sites, centre, extentMm));
   packing.pushMm = 1;
   setup.pushed = static_cast<int>(setup.supports.size());
   setup.supports.push_back(std::move(packing));

@@ -11,7 +11,7 @@ namespace {
 
 /// Over all members.
 struct Extremes {
-  double maxMm = 0, rmsMm = 0, errorMm = 0, minDetJ = 1;
+  double maxMm = 0, rmsMm = 0, errorMm = 0, minDetJ = 1, foldedShare = 0;
   std::size_t worst = 0;
   int folded = 0;
 };
@@ -24,6 +24,7 @@ Extremes extremesOf(const Atlas& atlas) {
     result.rmsMm = std::max(result.rmsMm, f.rmsMm);
     result.errorMm = std::max(result.errorMm, f.errorMm);
     if (f.minDetJ <= 0) ++result.folded;
+    result.foldedShare = std::max(result.foldedShare, f.foldedShare);
     if (f.minDetJ >= result.minDetJ) continue;
     result.minDetJ = f.minDetJ;
     result.worst = m;
@@ -67,7 +68,8 @@ nlohmann::json atlasFigures(const Atlas& atlas) {
           {"max_rms_displacement_mm", extremes.rmsMm},
           {"max_compression_error_mm", extremes.errorMm},
           {"min_det_j", extremes.minDetJ},
-          {"folding_members", extremes.folded}};
+          {"folding_members", extremes.folded},
+          {"max_folded_share", extremes.foldedShare}};
 }
 
 std::vector<std::string> atlasLines(const Atlas& atlas) {
@@ -102,7 +104,8 @@ std::vector<std::string> atlasWarnings(const Atlas& atlas) {
   const Extremes extremes = extremesOf(atlas);
   if (extremes.folded > 0)
     warnings.push_back(std::to_string(extremes.folded) + " of " + std::to_string(atlas.members.size()) +
-                       " members turn tissue inside out somewhere (det J down to " +
+                       " members turn tissue inside out somewhere (up to " +
+                       fixed(100 * extremes.foldedShare, 2) + " % of the volume, det J down to " +
                        fixed(extremes.minDetJ, 2) +
                        "): their loads are beyond small strains; see Docs/Atlas.md");
   if (atlas.design.kind == AtlasKind::Sampled && atlas.design.sampled.stiffnessLevels > 1 &&

@@ -1,5 +1,6 @@
 #include "Logic/Atlas/AtlasFiles.h"
 #include "Modules/CommandLine/AtlasFigures.h"
+#include "Modules/CommandLine/AtlasPicture.h"
 #include "Modules/CommandLine/Commands.h"
 
 namespace falciform::commandline {
@@ -14,6 +15,17 @@ void declare(Syntax& syntax) {
               .label = "Members",
               .help = "Also list every setup and every member.",
               .group = group});
+  syntax.add({.name = "picture",
+              .kind = File,
+              .label = "Picture",
+              .help = "Also draw supports and some members, .png.",
+              .output = true,
+              .group = group});
+  syntax.add({.name = "show",
+              .kind = Integers,
+              .label = "Members to draw",
+              .help = "Numbers of members in the picture, from 0; else five that tell most.",
+              .group = group});
   syntax.add({.name = "FILE",
               .kind = File,
               .label = "Atlas",
@@ -25,7 +37,12 @@ void declare(Syntax& syntax) {
 }
 
 void execute(const ParsedArguments& arguments, CommandRun& run) {
-  const std::filesystem::path file = arguments.path("FILE");
+  const std::filesystem::path file = arguments.path("FILE"), picture = arguments.path("picture");
+  if (!picture.empty() && picture.extension() != ".png")
+    throw InputError("--picture is '" + picture.string() + "'; pictures are written as .png");
+  if (arguments.has("show") && picture.empty())
+    throw InputError("--show is given without --picture; name the picture to draw, .png");
+  if (!picture.empty()) run.outputs.announce(picture);
   run.progress.report(0, "Reading");
   const StoredAtlas stored = readAtlas(file);
   run.remember(file);
@@ -35,6 +52,15 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.say("built " + stored.provenance.value("started_utc", "") + " by falciform " +
           stored.provenance.value("version", ""));
   run.warn(atlasWarnings(stored.atlas));
+  if (!picture.empty()) {
+    std::vector<Index> shown = telling(stored.atlas);
+    if (arguments.has("show")) {
+      const std::vector<int> asked = parseIntegers("--show", arguments.text("show"));
+      shown.assign(asked.begin(), asked.end());
+    }
+    run.progress.report(0.3, "Drawing");
+    saveAtlasPicture(stored.atlas, shown, run.outputs.staged(picture), Overwrite::Replace);
+  }
   if (!arguments.has("members")) return;
   for (const std::string& line : setupLines(stored.atlas)) run.say(line);
   for (const std::string& line : memberLines(stored.atlas)) run.say(line);

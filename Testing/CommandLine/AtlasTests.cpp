@@ -10,6 +10,7 @@
 #include "Logic/IO/SurfaceFiles.h"
 #include "Testing/CommandLine/FolderContents.h"
 #include "Testing/Support/TemporaryFolder.h"
+#include "Widgets/Rendering/RenderedImage.h"
 
 namespace falciform::test {
 namespace {
@@ -119,6 +120,29 @@ TEST_F(AtlasCommand, AnotherDesignDoesNotGoOnFromTheFirst) {
   const Ran anew = falciform(build("other.json", "a.h5", {"--force"}));
   EXPECT_EQ(anew.exitCode, 0) << anew.err;
   EXPECT_THAT(anew.out, Not(HasSubstr("continued")));
+}
+
+TEST_F(AtlasCommand, DrawsTheMembersThatAreAskedFor) {
+  ASSERT_EQ(falciform(build("design.json", "a.h5")).exitCode, 0);
+  const Ran drawn = falciform({"atlas", "info", at("a.h5"), "--picture", at("sheet.png"), "--show", "2,23"});
+  ASSERT_EQ(drawn.exitCode, 0) << drawn.err;
+  const RenderedImage sheet = readPng(folder_ / "sheet.png");
+  EXPECT_EQ(sheet.width, 3 * 560);  // supports and two members: one row
+  EXPECT_EQ(sheet.height, 440);
+  // The pushed faces' yellow, of which nothing else in the sheet has much, is on the first tile.
+  int yellow = 0;
+  for (int y = 40; y < sheet.height; ++y)
+    for (int x = 120; x < 560; ++x) {
+      const auto [r, g, b] = sheet.at(x, y);
+      yellow += r > 130 && g > 100 && b < 60;
+    }
+  EXPECT_GT(yellow, 500);
+  ASSERT_EQ(falciform({"atlas", "info", at("a.h5"), "--picture", at("five.png")}).exitCode, 0);
+  EXPECT_EQ(readPng(folder_ / "five.png").height, 2 * 440);
+  expectRefusal({"atlas", "info", at("a.h5"), "--picture", at("more.png"), "--show", "24"}, folder_.path(),
+                "no member 24 in an atlas of 24");
+  expectRefusal({"atlas", "info", at("a.h5"), "--show", "3"}, folder_.path(), "without --picture");
+  expectRefusal({"atlas", "info", at("a.h5"), "--picture", at("p.jpg")}, folder_.path(), "written as .png");
 }
 
 TEST_F(AtlasCommand, MistakesAreRefusedInOneLine) {

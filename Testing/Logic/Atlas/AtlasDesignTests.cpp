@@ -41,6 +41,21 @@ TEST(AtlasDesign, PresetsHoldTheThesissValues) {
   EXPECT_THAT(pushes, testing::ElementsAre(5, 10, 15, 20, 25, 30, 35, 40, 45));
 }
 
+TEST(AtlasDesign, APackPressesFromOneSide) {
+  SlabLiver slab = slabLiver();
+  // The front is called underside as well: a place at the edge would reach around it.
+  for (Index f = 0; f < slab.faces.size(); ++f)
+    if (slab.sites.centres(f, 1) < 1e-9) slab.sites.leftUnderside.push_back(static_cast<int>(f));
+  AtlasDesign design = atlasPreset("thesis-packing");
+  design.packing = {.places = 8, .extentMm = 40, .stepMm = 5, .maxPushMm = 5};
+  for (const AtlasSetup& setup : membersOf(design, slab.sites).setups) {
+    const std::vector<int>& pushed = setup.supports[static_cast<std::size_t>(setup.pushed)].faces;
+    ASSERT_FALSE(pushed.empty());
+    const bool under = slab.sites.centres(pushed.front(), 2) < 1e-9;
+    for (const int face : pushed) EXPECT_EQ(slab.sites.centres(face, 2) < 1e-9, under);
+  }
+}
+
 TEST(AtlasDesign, GravityIsTurnedAboutTheYThenTheZAxis) {
   const AtlasMembers turned = membersOf(atlasPreset("thesis-gravity"), slabLiver().sites);
   const double half = std::sqrt(0.5), c = std::cos(50 * EIGEN_PI / 180), s = std::sin(50 * EIGEN_PI / 180);
