@@ -18,6 +18,8 @@ namespace falciform {
 
 namespace {
 
+constexpr double kPoorDihedralDeg = 3;  ///< below, an element is mended if possible
+
 /// Of a regular tetrahedron with this edge, mm3.
 double regularVolume(double edgeMm) { return edgeMm * edgeMm * edgeMm / (6 * std::sqrt(2.0)); }
 
@@ -38,22 +40,6 @@ void checkSize(const Surface& surface, double edgeLengthMm) {
                      " mm; check that it is in mm, or choose shorter edges");
 }
 
-Surface readySurface(const Surface& closed, const MeshSettings& settings, MeshReport& report,
-                     const Progress& progress) {
-  const double maxRepair = settings.maxRepairMm > 0 ? settings.maxRepairMm : settings.edgeLengthMm / 2;
-  MeshableSurface ready = meshableSurface(closed, settings.edgeLengthMm, maxRepair, progress);
-  report.crossingPairs = std::ssize(ready.first);
-  report.repairs = ready.repairs;
-  if (ready.left.empty()) return ready.surface;
-  const std::string remedy =
-      "mend it there, or allow a larger repair (--max-repair, now " + std::to_string(maxRepair) + " mm)";
-  if (const auto own = selfCrossings(closed); !own.empty())
-    refuseCrossings(own, "the liver's surface", remedy);
-  refuseCrossings(ready.left,
-                  "the liver's surface, remeshed to " + std::to_string(settings.edgeLengthMm) + " mm,",
-                  remedy + ", or choose another edge length");
-}
-
 TetrahedralMesh filled(const Surface& surface, const std::vector<TumourPiece>& pieces,
                        const MeshSettings& settings) {
   TetrahedraPlan plan;
@@ -71,6 +57,36 @@ TetrahedralMesh filled(const Surface& surface, const std::vector<TumourPiece>& p
   mesh.frame = surface.frame;
   mesh.regions = regionsOf(mesh, pieces);
   return mesh;
+}
+
+/// Where TetGen can only make flat elements: between sheets that nearly touch.
+std::vector<Vector3d> poorPlaces(const Surface& surface, const MeshSettings& settings) {
+  const TetrahedralMesh mesh = filled(surface, {}, settings);
+  std::vector<Vector3d> places;
+  for (Index e = 0; e < mesh.size(); ++e) {
+    if (shapeOf(mesh, e).minDihedralDeg >= kPoorDihedralDeg) continue;
+    const auto corners = mesh.elements.row(e).head(4).transpose().eval();
+    places.emplace_back(mesh.points(corners, Eigen::all).colwise().mean().transpose());
+  }
+  return places;
+}
+
+Surface readySurface(const Surface& closed, const MeshSettings& settings, MeshReport& report,
+                     const Progress& progress) {
+  const double maxRepair = settings.maxRepairMm > 0 ? settings.maxRepairMm : settings.edgeLengthMm / 2;
+  MeshableSurface ready = meshableSurface(
+      closed, settings.edgeLengthMm, maxRepair, [&](const Surface& s) { return poorPlaces(s, settings); },
+      progress);
+  report.crossingPairs = std::ssize(ready.first);
+  report.repairs = ready.repairs;
+  if (ready.left.empty()) return ready.surface;
+  const std::string remedy =
+      "mend it there, or allow a larger repair (--max-repair, now " + std::to_string(maxRepair) + " mm)";
+  if (const auto own = selfCrossings(closed); !own.empty())
+    refuseCrossings(own, "the liver's surface", remedy);
+  refuseCrossings(ready.left,
+                  "the liver's surface, remeshed to " + std::to_string(settings.edgeLengthMm) + " mm,",
+                  remedy + ", or choose another edge length");
 }
 
 void measureRegions(const TetrahedralMesh& mesh, const std::vector<TumourPiece>& pieces, Index tumours,
