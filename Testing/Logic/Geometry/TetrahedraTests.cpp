@@ -160,6 +160,30 @@ TEST(Tetrahedra, FillPiecesSideBySideAndRefuseOneInsideAnother) {
   EXPECT_THAT(errorOf(both(sphere(20, 2), sphere(10, 2))), testing::HasSubstr("second surface inside"));
 }
 
+TEST(Tetrahedra, TakeInnerSurfacesAsFacesAndExtraPlacesAsNodes) {
+  const Surface outer = sphere(40, 3), one = sphere(10, 2, {12, 0, 0}), two = sphere(6, 2, {-12, 3, 0});
+  TetrahedraPlan plan{.maxVolumeMm3 = 600, .inner = {one, two}, .innerMaxVolumeMm3 = {20, 0}};
+  plan.extra.resize(1, 3);
+  plan.extra << 0, 0, 25;
+  const TetrahedralMesh mesh = tetrahedralise(outer, plan);
+  const Index first = outer.size(), second = first + one.size(), third = second + two.size();
+  EXPECT_TRUE(mesh.points.middleRows(first, one.size()) == one.points);
+  EXPECT_TRUE(mesh.points.middleRows(second, two.size()) == two.points);
+  EXPECT_TRUE(mesh.points.row(third) == plan.extra.row(0));
+  const std::vector<double> v = volumes(mesh);
+  EXPECT_NEAR(sum(v), signedVolume(outer), 1e-9 * signedVolume(outer));
+  // Each is inside the first ball as a whole or not at all: those inside fill it.
+  double inside = 0;
+  for (Index t = 0; t < mesh.size(); ++t) {
+    const Vector3d centre =
+        mesh.points(mesh.elements.row(t).transpose().eval(), Eigen::all).colwise().mean().transpose();
+    if ((centre - Vector3d(12, 0, 0)).norm() > 9.4) continue;  // mm: facets of the ball lie 0.5 mm inside it
+    inside += v[static_cast<std::size_t>(t)];
+    EXPECT_LE(v[static_cast<std::size_t>(t)], 40);  // mm3: twice the bound, for those that its triangles hold
+  }
+  EXPECT_NEAR(inside, signedVolume(one), 1e-9 * inside);
+}
+
 TEST(Tetrahedra, RefuseVolumesThatAreNone) {
   EXPECT_THAT(errorOf(sphere(20, 1), -1), testing::HasSubstr("largest tetrahedron"));
   EXPECT_THAT(errorOf(sphere(20, 1), std::numeric_limits<double>::quiet_NaN()),
