@@ -9,7 +9,8 @@
 namespace falciform {
 namespace {
 
-constexpr int kRounds = 20;  // of moving to the middle; the sites stand still long before
+constexpr double kSameWay = 0.77;  // cosine of 40 degrees
+constexpr int kRounds = 20;        // of moving to the middle; the sites stand still long before
 
 std::vector<int> undersides(const SupportSites& sites) {
   std::vector<int> faces = sites.leftUnderside;
@@ -44,6 +45,26 @@ std::vector<int> farthestFaces(const SupportSites& sites, const std::vector<int>
   return chosen;
 }
 
+/// Outward, as long as twice the area.
+Vector3d normalOf(const SupportSites& sites, int face) {
+  const Surface& surface = sites.boundary.surface;
+  const auto corner = [&](int k) {
+    return Vector3d(surface.points.row(surface.triangles(face, k)).transpose());
+  };
+  return (corner(1) - corner(0)).cross(corner(2) - corner(0));
+}
+
+/// A towel pushes one way: without what lies around a margin, whose normals would press the tissue together.
+std::vector<int> lookingAlike(const SupportSites& sites, const std::vector<int>& faces, int seed) {
+  Vector3d mean = Vector3d::Zero();
+  for (const int f : faces) mean += normalOf(sites, f);
+  mean.normalize();
+  std::vector<int> kept;
+  for (const int f : faces)
+    if (f == seed || normalOf(sites, f).normalized().dot(mean) > kSameWay) kept.push_back(f);
+  return kept;
+}
+
 }  // namespace
 
 std::vector<int> packingSite(const SupportSites& sites, const Vector3d& centre, double radiusMm) {
@@ -74,7 +95,7 @@ std::vector<int> packingSite(const SupportSites& sites, const Vector3d& centre, 
     for (int k = 0; k < 3; ++k) sum += distance(surface.triangles(f, k));
     if (f == seed || sum / 3 <= radiusMm) found.push_back(f);
   }
-  return found;
+  return lookingAlike(sites, found, seed);
 }
 
 std::vector<Vector3d> packingSites(const SupportSites& sites, int count) {

@@ -29,7 +29,8 @@ struct SupportSites {
                                             const BoundaryFaces& faces);
 
 /// Faces of the undersides, or of `within`, within `radiusMm` of the one nearest to `centre`, along the
-/// surface; never empty. Throws InputError for a radius that is not above 0.
+/// surface, that look the same way as the place as a whole (within 40 degrees); never empty. Throws
+/// InputError for a radius that is not above 0.
 [[nodiscard]] std::vector<int> packingSite(const SupportSites& sites, const Vector3d& centre,
                                            double radiusMm);
 [[nodiscard]] std::vector<int> packingSite(const SupportSites& sites, const Vector3d& centre, double radiusMm,

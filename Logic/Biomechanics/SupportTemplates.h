@@ -21,7 +21,7 @@ inline constexpr double kUsualTurnDeg = 20;  ///< of an operating table
 struct SupportTemplateSettings {
   SupportTemplate posture = SupportTemplate::LeftLobePacked;
   double pushMm = 20;    ///< the thesis's atlas goes from 5 to 45
-  double extentMm = 35;  ///< radius of the packed place along the surface
+  double extentMm = 25;  ///< radius of the packed place along the surface
   double turnDeg = 0;    ///< of the patient onto the left side; "turned left" takes 20 for 0
 };
 

@@ -76,11 +76,21 @@ void AtlasUpdatePanel::addSupports() {
   group->addWidget(fill_);
   table_ = new SupportTable(this);
   group->addWidget(table_);
+  push_ = new SliderBox("pushMm", {0, 45, 0.5, -kMaxPushMm, kMaxPushMm}, " mm", this);
+  push_->setTip(
+      tr("How far the chosen support is pushed into the liver, along the surface's normal; below 0 it is "
+         "pulled.\nUnit: mm\nRange: -60 to 60 (slider 0 to 45)\nDefault: 20"));
+  auto* pushRow = new QFormLayout;
+  pushRow->addRow(tr("Push"), push_);
+  group->addLayout(pushRow);
   brush_ = new SupportBrush(bench(), this);
   group->addWidget(brush_);
   connect(fill_, &QPushButton::clicked, this, &AtlasUpdatePanel::fillTemplate);
-  connect(table_, &SupportTable::edited, this, [this](const SupportPainting& painting) {
-    document().setSupports(std::make_shared<const SupportPainting>(painting));
+  connect(table_, &SupportTable::kindChosen, this, [this](int label, SupportRegionKind kind) {
+    edit([&](SupportPainting& painting) { painting.regions[label].kind = kind; });
+  });
+  connect(push_, &SliderBox::moved, this, [this](double mm) {
+    edit([&](SupportPainting& painting) { painting.regions[chosen_].pushMm = mm; });
   });
   connect(table_, &SupportTable::choiceMade, this, &AtlasUpdatePanel::choose);
   connect(brush_, &SupportBrush::changed, this, [this] { refresh(); });
@@ -110,12 +120,8 @@ void AtlasUpdatePanel::addLive() {
   figures_ = wrappedLabel("deformationFigures", this);
   warnings_ = wrappedLabel("deformationWarnings", this);
   for (QLabel* words : {liveMissing_, figures_, warnings_}) group->addWidget(words);
-  connect(turn_, &SliderBox::moved, this, [this](double degrees) {
-    if (!logic_.supports()) return;
-    SupportPainting painting = *logic_.supports();
-    painting.turnDeg = degrees;
-    document().setSupports(std::make_shared<const SupportPainting>(std::move(painting)));
-  });
+  connect(turn_, &SliderBox::moved, this,
+          [this](double degrees) { edit([&](SupportPainting& painting) { painting.turnDeg = degrees; }); });
   connect(colours_, &QCheckBox::toggled, this, [this](bool on) {
     bench().view.edit([&](ViewOptions& options) { options.displacementColours = on; });
   });
@@ -195,13 +201,20 @@ void AtlasUpdatePanel::choose(int label) {
 
 void AtlasUpdatePanel::addRegion(const QString& name) {
   if (!logic_.supports()) return;
-  SupportPainting painting = *logic_.supports();
   int next = support_label::kFirstNamed;
-  while (painting.regions.contains(next)) ++next;
+  while (logic_.supports()->regions.contains(next)) ++next;
   if (next > support_label::kMax) return;
-  painting.regions[next] = {name.toStdString(), SupportRegionKind::Fixed, 0};
-  document().setSupports(std::make_shared<const SupportPainting>(std::move(painting)));
+  edit([&](SupportPainting& painting) {
+    painting.regions[next] = {name.toStdString(), SupportRegionKind::Fixed, 0};
+  });
   choose(next);
+}
+
+void AtlasUpdatePanel::edit(const std::function<void(SupportPainting&)>& change) {
+  if (!logic_.supports()) return;
+  SupportPainting painting = *logic_.supports();
+  change(painting);
+  document().setSupports(std::make_shared<const SupportPainting>(std::move(painting)));
 }
 
 void AtlasUpdatePanel::refresh() {
@@ -217,6 +230,12 @@ void AtlasUpdatePanel::refresh() {
     table_->choose(chosen_);
   }
   brush_->refresh(supports ? chosen_ : 0);
+  const auto region =
+      supports ? supports->regions.find(chosen_) : std::map<int, SupportRegion>::const_iterator{};
+  const bool pushed =
+      supports && region != supports->regions.end() && region->second.kind == SupportRegionKind::Pushed;
+  push_->setEnabled(pushed);
+  push_->setValue(pushed ? region->second.pushMm : 0);
   turn_->setEnabled(supports != nullptr);
   turn_->setValue(supports ? supports->turnDeg : 0);
   {

@@ -39,6 +39,8 @@ class AtlasUpdatePanel : public ModulePanel {
   void prepareModel();
   void fillTemplate();
   void choose(int label);
+  /// The case's supports with `change(SupportPainting&)`.
+  void edit(const std::function<void(SupportPainting&)>& change);
   void showModelFacts();
   void showLiver();
 
@@ -53,7 +55,7 @@ class AtlasUpdatePanel : public ModulePanel {
   QLabel *missing_, *facts_, *liveMissing_, *figures_, *warnings_, *needs_;
   SupportTable* table_;
   SupportBrush* brush_;
-  SliderBox* turn_;
+  SliderBox *push_, *turn_;
   QCheckBox* colours_;
   Connection viewChanged_, brushChanged_;
 };

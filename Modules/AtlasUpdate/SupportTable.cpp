@@ -1,13 +1,10 @@
 #include "Modules/AtlasUpdate/SupportTable.h"
 
-#include <QAbstractSlider>
-#include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QSignalBlocker>
 
 #include "Logic/Core/Settings.h"
-#include "Modules/AtlasUpdate/SliderBox.h"
 #include "Widgets/Forms/TableHeight.h"
 #include "Widgets/Rendering/PatchColours.h"
 
@@ -59,19 +56,19 @@ void SupportTable::show(const std::shared_ptr<const SupportPainting>& painting) 
     const QSignalBlocker quiet(this);
     const int before = chosen();
     rows_ = rows;
-    sliders_.clear();
     // Qt deletes them later; until then nobody shall find two of one name.
-    for (QWidget* old : findChildren<QWidget*>())
-      if (qobject_cast<QComboBox*>(old) || qobject_cast<QAbstractSpinBox*>(old) ||
-          qobject_cast<QAbstractSlider*>(old))
-        old->setObjectName({});
+    for (QComboBox* old : findChildren<QComboBox*>()) old->setObjectName({});
     setRowCount(0);
     for (const auto& [label, region] : rows_) addRow(label, region);
     choose(before);
-    resizeRowsToContents();
     showAllRows(this);
   }
-  for (const auto& [label, slider] : sliders_) slider->setValue(painting_->regions.at(label).pushMm);
+  for (int row = 0; row < rowCount(); ++row) {
+    const SupportRegion& region = painting_->regions.at(item(row, kName)->data(kLabel).toInt());
+    item(row, kPush)
+        ->setText(region.kind == SupportRegionKind::Pushed ? tr("%1 mm").arg(region.pushMm, 0, 'g', 3)
+                                                           : QString::fromUtf8("–"));
+  }
 }
 
 void SupportTable::addRow(int label, const SupportRegion& region) {
@@ -79,34 +76,20 @@ void SupportTable::addRow(int label, const SupportRegion& region) {
   insertRow(row);
   auto* name = new QTableWidgetItem(swatch(region, label), QString::fromStdString(region.name));
   name->setData(kLabel, label);
+  name->setToolTip(name->text());
   setItem(row, kName, name);
+  auto* push = new QTableWidgetItem;
+  push->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  setItem(row, kPush, push);
   auto* kind = new QComboBox(this);
   kind->setObjectName(QString("kind_%1").arg(label));
   for (const std::string_view word : enumNames(SupportRegionKind{}))
     kind->addItem(QString::fromUtf8(word.data(), static_cast<int>(word.size())));
   kind->setCurrentIndex(static_cast<int>(region.kind));
   kind->setToolTip(tr("How this part of the surface is held. Choose from: fixed, sliding, pushed"));
-  connect(kind, qOverload<int>(&QComboBox::activated), this, [this, label](int index) {
-    edit(label, [&](SupportRegion& changed) { changed.kind = static_cast<SupportRegionKind>(index); });
-  });
+  connect(kind, qOverload<int>(&QComboBox::activated), this,
+          [this, label](int index) { Q_EMIT kindChosen(label, static_cast<SupportRegionKind>(index)); });
   setCellWidget(row, kKind, kind);
-  if (region.kind != SupportRegionKind::Pushed) return;
-  auto* push =
-      new SliderBox(QString("push_%1").arg(label), {0, 45, 0.5, -kMaxPushMm, kMaxPushMm}, " mm", this);
-  push->setTip(
-      tr("How far it is pushed into the liver, along the surface's normal; below 0 it is pulled.\n"
-         "Unit: mm\nRange: -60 to 60 (slider 0 to 45)\nDefault: 20"));
-  connect(push, &SliderBox::moved, this,
-          [this, label](double mm) { edit(label, [&](SupportRegion& changed) { changed.pushMm = mm; }); });
-  setCellWidget(row, kPush, push);
-  sliders_[label] = push;
-}
-
-void SupportTable::edit(int label, const std::function<void(SupportRegion&)>& change) {
-  if (!painting_) return;
-  SupportPainting edited = *painting_;
-  change(edited.regions[label]);
-  Q_EMIT this->edited(edited);
 }
 
 void SupportTable::choose(int label) {

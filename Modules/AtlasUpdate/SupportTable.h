@@ -4,14 +4,10 @@
 
 #include "Logic/Core/SupportPainting.h"
 
-class QComboBox;
-
 namespace falciform {
 
-class SliderBox;
-
 /// The supports of a painting, a row each: name, kind, and how far a pushed one is pushed. The chosen row is
-/// what the brush paints. Announces edits as a whole new painting.
+/// what the brush paints and the slider pushes.
 class SupportTable : public QTableWidget {
   Q_OBJECT
 
@@ -25,16 +21,14 @@ class SupportTable : public QTableWidget {
   [[nodiscard]] int chosen() const;
 
  Q_SIGNALS:
-  void edited(const SupportPainting& painting);
+  void kindChosen(int label, SupportRegionKind kind);
   void choiceMade(int label);
 
  private:
   void addRow(int label, const SupportRegion& region);
-  void edit(int label, const std::function<void(SupportRegion&)>& change);
 
   std::shared_ptr<const SupportPainting> painting_;
   std::map<int, SupportRegion> rows_;  ///< what stands there, distances aside
-  std::map<int, SliderBox*> sliders_;
 };
 
 }  // namespace falciform

@@ -47,7 +47,7 @@ std::vector<std::string> deformationWarnings(const SupportLogic::Answer& answer)
   if (check.minDetJ <= 0)
     warnings.push_back(
         tr("Inverted elements: %1 % of the volume is turned inside out, which no tissue can be. "
-           "Push less, or over a larger extent.")
+           "Push less; do not trust what lies near the edges of the supports.")
             .arg(100 * check.foldedShare, 0, 'g', 2)
             .toStdString());
   else if (check.minDetJ < kDoubtfulDetJ)

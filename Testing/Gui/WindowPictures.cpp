@@ -76,6 +76,33 @@ void registrationPictures(MainWindow& window, Workbench& bench,
   press(window, "startFromLandmarks");
 }
 
+/// A model prepared, a template on it seen from below and from the front, and a push that is too much.
+void supportPictures(MainWindow& window, Workbench& bench, const std::function<void(const QString&)>& save) {
+  press(window, "prepareModel");
+  waitIdle(bench);
+  press(window, "fillTemplate");
+  QTest::qWait(1500);
+  const auto view = [&](const char* button) {
+    if (auto* found = window.findChild<QAbstractButton*>(button)) found->click();
+  };
+  press(window, "paintSupport");
+  view("viewInferior");
+  save("AtlasUpdate_supports");
+  press(window, "paintSupport");
+  save("AtlasUpdate_packed_below");
+  view("viewAnterior");
+  scrollTo(window, "fillTemplate");
+  save("AtlasUpdate_packed");
+  press(window, "displacementColours");
+  save("AtlasUpdate_packed_supports");
+  press(window, "displacementColours");
+  if (auto* push = window.currentPanel()->findChild<QSlider*>("pushMmSlider"))
+    push->setValue(push->maximum());
+  QTest::qWait(1500);
+  scrollTo(window, "supportTable");
+  save("AtlasUpdate_too_much");
+}
+
 }  // namespace
 
 /// Walks a case through the modules and saves a picture of the window at each: for eyes, and for the user
@@ -132,6 +159,7 @@ int main(int argc, char** argv) {
     }
     save(name);
     if (name == "Registration" && bench.document.registration()) registrationPictures(window, bench, save);
+    if (name == "AtlasUpdate") supportPictures(window, bench, save);
     if (name == "DeformationAnalysis") {
       press(window, "distanceOnScan");
       save(name + "_scan");
