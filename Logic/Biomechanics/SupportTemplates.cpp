@@ -27,14 +27,14 @@ std::vector<Support> lyingOnItsBack(const SupportSites& sites) {
 std::vector<Support> leftLobePacked(const SupportSites& sites, double pushMm, double extentMm) {
   std::vector<Support> supports = lyingOnItsBack(sites);
   supports.push_back(support(
-      "packing under the left lobe", SupportKind::Pushed,
+      "packing under left lobe", SupportKind::Pushed,
       packingSite(sites, centreOf(sites, sites.leftUnderside), extentMm, sites.leftUnderside), pushMm));
   return supports;
 }
 
 std::vector<Support> rightLobePacked(const SupportSites& sites, double pushMm, double extentMm) {
   return {support("vena cava", SupportKind::Fixed, sites.venaCava),
-          support("packing under the right lobe", SupportKind::Pushed,
+          support("packing under right lobe", SupportKind::Pushed,
                   packingSite(sites, centreOf(sites, sites.rightUnderside), extentMm, sites.rightUnderside),
                   pushMm)};
 }

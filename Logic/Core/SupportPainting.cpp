@@ -13,8 +13,8 @@ SupportPainting emptySupportPainting(Index points) {
   painting.labels.assign(static_cast<std::size_t>(points), kFree);
   painting.regions = {{kVenaCava, {"vena cava", SupportRegionKind::Fixed}},
                       {kPosteriorBed, {"posterior bed", SupportRegionKind::Sliding}},
-                      {kLeftPacking, {"packing under the left lobe", SupportRegionKind::Pushed, 20}},
-                      {kRightPacking, {"packing under the right lobe", SupportRegionKind::Pushed, 20}}};
+                      {kLeftPacking, {"packing under left lobe", SupportRegionKind::Pushed, 20}},
+                      {kRightPacking, {"packing under right lobe", SupportRegionKind::Pushed, 20}}};
   return painting;
 }
 

@@ -18,7 +18,9 @@ QIcon swatch(const SupportRegion& region, int label) {
   const Vector3d rgb = supportColour(region.kind, label);
   QPixmap picture(12, 12);
   picture.fill(QColor::fromRgbF(rgb.x(), rgb.y(), rgb.z()));
-  return picture;
+  QIcon icon(picture);
+  icon.addPixmap(picture, QIcon::Selected);  // else Qt tints it where the row is chosen
+  return icon;
 }
 
 std::map<int, SupportRegion> withoutDistances(std::map<int, SupportRegion> regions) {

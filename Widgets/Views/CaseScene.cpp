@@ -24,7 +24,7 @@ SurfaceStyle styleOf(const PartLook& look) {
   return style;
 }
 
-/// "packing under the left lobe, pushed 20 mm"
+/// "packing under left lobe, pushed 20 mm"
 std::string supportCaption(const SupportRegion& region) {
   std::string caption = region.name + ", " + enumToString(region.kind);
   if (region.kind == SupportRegionKind::Pushed) {
