@@ -155,8 +155,7 @@ std::vector<std::string> memberLines(const Atlas& atlas) {
 }
 
 std::vector<ResultField> atlasResultFields() {
-  return {{"members", "Members", ""},
-          {"independent_solves", "Independent solves", ""},
+  return {{"independent_solves", "Independent solves", ""},
           {"rank", "Modes kept", ""},
           {"energy", "Share of the mean squared displacement", ""},
           {"min_det_j", "Smallest local volume ratio", ""}};

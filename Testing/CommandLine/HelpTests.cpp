@@ -22,8 +22,16 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands{"import", "patches",    "register", "distance", "run",
-                                         "demo",   "synthesise", "trials",   "mesh",     "info"};
+const std::vector<std::string> kCommands{"import", "patches",     "register",   "distance",
+                                         "run",    "demo",        "synthesise", "trials",
+                                         "mesh",   "atlas build", "atlas info", "info"};
+
+/// A call of a command of one word or two.
+std::vector<std::string> call(const std::string& command, const std::string& flag) {
+  const std::size_t blank = command.find(' ');
+  if (blank == std::string::npos) return {command, flag};
+  return {command.substr(0, blank), command.substr(blank + 1), flag};
+}
 
 /// "edgeLengthMm" in mm -> "edge-length".
 std::string expectedFlag(const FieldInfo& info) {
@@ -57,7 +65,7 @@ std::string number(double value) {
 
 template <class S>
 void expectSettingsInHelp(const std::string& command) {
-  const std::string help = unwrapped(falciform({command, "--help"}).out);
+  const std::string help = unwrapped(falciform(call(command, "--help")).out);
   S settings;
   describe(settings, [&]<class T>(const FieldInfo& info, T&) {
     if (info.key == "seed") return;
@@ -81,6 +89,7 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
   expectSettingsInHelp<RegistrationSettings>("register");
   expectSettingsInHelp<DistanceSettings>("distance");
   expectSettingsInHelp<TrialSettings>("trials");
+  expectSettingsInHelp<MeshSettings>("atlas build");
   expectSettingsInHelp<MeshSettings>("mesh");
   expectSettingsInHelp<ScanVariation>("trials");
   expectSettingsInHelp<SyntheticLiverSettings>("synthesise");
@@ -94,7 +103,7 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
 
 TEST(Help, FlagsOfEveryCommandAreThereEverywhere) {
   for (const std::string& command : kCommands) {
-    const Ran ran = falciform({command, "--help"});
+    const Ran ran = falciform(call(command, "--help"));
     EXPECT_EQ(ran.exitCode, 0) << command;
     EXPECT_EQ(ran.err, "") << command;
     for (const char* flag : {"--report", "--seed", "--threads", "--quiet", "--force", "--help", "--xml"})
@@ -120,7 +129,7 @@ std::map<std::string, vtkXMLDataElement*> parametersOf(vtkXMLDataElement* root) 
 TEST(SlicerDescription, EveryCommandPrintsWellFormedXmlAndNothingElse) {
   for (const std::string& command : kCommands) {
     SCOPED_TRACE(command);
-    const Ran ran = falciform({command, "--xml"});
+    const Ran ran = falciform(call(command, "--xml"));
     EXPECT_EQ(ran.exitCode, 0);
     EXPECT_EQ(ran.err, "");
     ASSERT_THAT(ran.out, StartsWith("<?xml"));
