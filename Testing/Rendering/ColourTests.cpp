@@ -110,4 +110,31 @@ TEST(TickValues, AreRoundAndIncludeZero) {
   EXPECT_EQ(tickValues(3, 3).size(), 1u);
 }
 
+TEST(SupportColours, KindsStandOutFromTheLiverAndFromEachOtherForEveryEye) {
+  using enum SupportRegionKind;
+  for (int eye = 0; eye < 4; ++eye)
+    for (const SupportRegionKind kind : {Fixed, Sliding, Pushed}) {
+      EXPECT_GT(difference(supportColour(kind, 1), kLiverColour, eye), 20)
+          << "eye " << eye << ", " << static_cast<int>(kind);
+      for (const SupportRegionKind other : {Fixed, Sliding, Pushed})
+        if (other != kind) {
+          EXPECT_GT(difference(supportColour(kind, 1), supportColour(other, 2), eye), 20) << "eye " << eye;
+        }
+    }
+}
+
+TEST(MagnitudeMap, GrowsLighterFromNilToARoundEndForEveryEye) {
+  const ScalarMap map = magnitudeMap("displacement_mm", "Displacement", "mm", 23.4);
+  EXPECT_EQ(map.low, 0);
+  EXPECT_EQ(map.high, 30);
+  for (int eye = 0; eye < 4; ++eye) {
+    double darker = -1;
+    for (double value = 0; value <= map.high; value += 3) {
+      const double lightness = labSeen(colourOf(map, value), eye)[0];
+      EXPECT_GT(lightness, darker) << "eye " << eye << " at " << value;
+      darker = lightness;
+    }
+  }
+}
+
 }  // namespace falciform

@@ -143,9 +143,7 @@ TEST_F(Shown, LabelEditsChangeColoursAndNothingElse) {
   painted->patch.assign(all.size(), patch::kInferiorRidge);
   presenter.show(painted);
   EXPECT_EQ(presenter.actor()->GetMapper()->GetInput(), geometry) << "same geometry is kept";
-  painted = std::make_shared<Surface>(*painted);
-  painted->points(0, 0) += 1;
-  presenter.show(painted);
+  presenter.show(std::make_shared<Surface>(test::sphere(50, 2)));
   EXPECT_NE(presenter.actor()->GetMapper()->GetInput(), geometry);
 }
 
@@ -210,6 +208,21 @@ TEST_F(Shown, EmptyAndHiddenSurfacesDrawNothing) {
   two.points = Points::Random(2, 3);
   presenter.show(std::make_shared<Surface>(two));
   EXPECT_NO_THROW(window.render()) << "a cloud too small for normals";
+}
+
+TEST_F(Shown, ASurfaceThatMovesIsDrawnAsIfItWereShownAnew) {
+  const Surface rest = test::sphere(40, 4);
+  Surface moved = rest;
+  for (Index i = 0; i < moved.size(); ++i) moved.points(i, 2) *= 1 + 0.01 * moved.points(i, 0);
+  presenter.show(std::make_shared<Surface>(rest));
+  look(StandardView::Anterior);
+  const RenderedImage before = window.image();
+  presenter.show(std::make_shared<Surface>(moved));
+  const RenderedImage live = window.image();
+  presenter.show(nullptr);
+  presenter.show(std::make_shared<Surface>(moved));
+  EXPECT_NE(live.rgb, before.rgb);
+  EXPECT_EQ(live.rgb, window.image().rgb);
 }
 
 }  // namespace falciform
