@@ -8,42 +8,11 @@
 #include <set>
 
 #include "Logic/Biomechanics/DenseAlgebra.h"
+#include "Logic/Biomechanics/MeshPieces.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
 
 namespace falciform {
-namespace {
-
-/// Three nodes far apart that no candidate touches, with six directions that are statically determinate: all
-/// of the first, two across the line to the second, one across the plane with the third.
-std::vector<NodeConstraint> pins(const TetrahedralMesh& mesh, const std::vector<char>& taken,
-                                 const std::vector<char>& eliminated) {
-  const auto farthest = [&](const auto& distance) {
-    Index best = -1;
-    for (Index n = 0; n < mesh.nodes(); ++n)
-      if (taken[static_cast<std::size_t>(n)] == 0 && eliminated[static_cast<std::size_t>(n)] == 0 &&
-          (best < 0 || distance(n) > distance(best)))
-        best = n;
-    if (best < 0) throw InputError("every node is a candidate support; leave some of the liver free");
-    return best;
-  };
-  const auto at = [&](Index n) { return Vector3d(mesh.points.row(n).transpose()); };
-  const Vector3d centre = mesh.points.colwise().mean().transpose();
-  const Index a = farthest([&](Index n) { return (at(n) - centre).norm(); });
-  const Index b = farthest([&](Index n) { return (at(n) - at(a)).norm(); });
-  const Vector3d line = (at(b) - at(a)).normalized();
-  const Index c = farthest([&](Index n) { return (at(n) - at(a)).cross(line).norm(); });
-  const Vector3d normal = (at(c) - at(a)).cross(line).normalized();
-  Matrix3d acrossLine;
-  acrossLine << normal.transpose(), line.cross(normal).transpose(), line.transpose();
-  std::vector<NodeConstraint> result{
-      {.node = static_cast<int>(a), .count = 3},
-      {.node = static_cast<int>(b), .count = 2, .frame = acrossLine, .valuesMm = Vector3d::Zero()},
-      {.node = static_cast<int>(c), .count = 1, .frame = frameAlong(normal), .valuesMm = Vector3d::Zero()}};
-  return result;
-}
-
-}  // namespace
 
 struct SupportSolver::State {
   Points nodes;
@@ -64,6 +33,7 @@ struct SupportSolver::State {
 
   void chooseCandidates(const CandidateSupports& where, std::vector<NodeConstraint>& frames,
                         std::vector<char>& full) const;
+  [[nodiscard]] std::vector<NodeConstraint> pins(const std::vector<char>& taken) const;
   void hold(const std::vector<Support>& always, const std::vector<char>& taken,
             std::vector<NodeConstraint>& frames);
   void factorise(const TetrahedralMesh& mesh, const StiffnessMatrix& stiffness,
@@ -108,6 +78,13 @@ void SupportSolver::State::chooseCandidates(const CandidateSupports& where,
                       .valuesMm = Vector3d::Zero()});
 }
 
+/// Pins away from candidates and from what is held.
+std::vector<NodeConstraint> SupportSolver::State::pins(const std::vector<char>& taken) const {
+  std::vector<char> closed = eliminated;
+  for (std::size_t n = 0; n < closed.size(); ++n) closed[n] |= taken[n];
+  return determinatePins(nodes, closed);
+}
+
 /// Takes the supports that are held always: constraints of nodes that no candidate touches join `frames`.
 void SupportSolver::State::hold(const std::vector<Support>& always, const std::vector<char>& taken,
                                 std::vector<NodeConstraint>& frames) {
@@ -130,6 +107,7 @@ void SupportSolver::State::hold(const std::vector<Support>& always, const std::v
 
 SupportSolver::SupportSolver(const TetrahedralMesh& mesh, const std::vector<Material>& materials,
                              const CandidateSupports& candidates, const Progress& progress) {
+  checkOnePiece(mesh);
   const auto state = std::make_shared<State>();
   const StiffnessMatrix stiffness = assembleStiffness(mesh, materials, progress.part(0, 0.1));
   state->nodes = mesh.points;
@@ -143,7 +121,7 @@ SupportSolver::SupportSolver(const TetrahedralMesh& mesh, const std::vector<Mate
   for (const NodeConstraint& frame : frames) taken[static_cast<std::size_t>(frame.node)] = 1;
   state->hold(candidates.held, taken, frames);
   if (state->pinned)
-    for (const NodeConstraint& pin : pins(mesh, taken, state->eliminated)) frames.push_back(pin);
+    for (const NodeConstraint& pin : state->pins(taken)) frames.push_back(pin);
   std::sort(frames.begin(), frames.end(),
             [](const NodeConstraint& a, const NodeConstraint& b) { return a.node < b.node; });
   state->reduced.emplace(stiffness, frames);

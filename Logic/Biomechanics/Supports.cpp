@@ -2,11 +2,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 
+#include "Logic/Biomechanics/MeshPieces.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/NumberText.h"
 
@@ -235,19 +237,91 @@ bool holds(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
   return !hold.freeMotion();
 }
 
-void checkHeld(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
-               const std::vector<NodeConstraint>& constraints, const BoundaryFaces& faces,
-               const std::vector<Support>& supports) {
+namespace {
+
+/// The motion left to the nodes that `among` says, whose rigid motions are given.
+template <class Among>
+std::optional<Eigen::Matrix<double, 6, 1>> motionLeft(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
+                                                      const std::vector<NodeConstraint>& constraints,
+                                                      const BoundaryFaces& faces,
+                                                      const std::vector<Support>& supports,
+                                                      const Among& among) {
   Hold hold(motions);
-  hold.add(constraints);
+  for (const NodeConstraint& constraint : constraints)
+    if (among(constraint.node)) hold.add({constraint});
   for (const Support& support : supports)
     if (support.kind == SupportKind::Spring)
       for (const int face : support.faces)
         for (int k = 0; k < faces.nodesPerFace(); ++k)
-          hold.add(faces.nodes(face, k), faces.areaVectors.row(face).normalized().transpose());
-  if (const auto free = hold.freeMotion())
+          if (among(faces.nodes(face, k)))
+            hold.add(faces.nodes(face, k), faces.areaVectors.row(face).normalized().transpose());
+  return hold.freeMotion();
+}
+
+}  // namespace
+
+void checkHeld(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
+               const std::vector<NodeConstraint>& constraints, const BoundaryFaces& faces,
+               const std::vector<Support>& supports) {
+  if (const auto free = motionLeft(motions, constraints, faces, supports, [](int) { return true; }))
     throw InputError("the supports do not hold the liver: it can still " + describeFreeMotion(*free) +
                      "; fix a region, or add sliding ones that face other ways");
+}
+
+void checkHeld(const TetrahedralMesh& mesh, const std::vector<NodeConstraint>& constraints,
+               const BoundaryFaces& faces, const std::vector<Support>& supports) {
+  const MeshPieces pieces = meshPieces(mesh);
+  if (pieces.nodes.size() == 1) return checkHeld(mesh.points, constraints, faces, supports);
+  for (std::size_t p = 0; p < pieces.nodes.size(); ++p) {
+    const Points own = mesh.points(pieces.nodes[p], Eigen::all);
+    // Levers about the piece's own centre: one about the whole's would make a small piece's turns alike.
+    Eigen::Matrix<double, Eigen::Dynamic, 6> motions =
+        Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(3 * mesh.nodes(), 6);
+    const auto ownMotions = rigidMotions(own);
+    for (std::size_t i = 0; i < pieces.nodes[p].size(); ++i)
+      motions.middleRows<3>(3 * pieces.nodes[p][i]) = ownMotions.middleRows<3>(3 * static_cast<Index>(i));
+    const auto isOwn = [&](int node) {
+      return pieces.pieceOf[static_cast<std::size_t>(node)] == static_cast<int>(p);
+    };
+    if (const auto free = motionLeft(motions, constraints, faces, supports, isOwn)) {
+      const Vector3d centre = own.colwise().mean().transpose();
+      char where[160];
+      std::snprintf(
+          where, sizeof where, "piece %d of %d of the mesh (%d of %d nodes, around %.0f, %.0f, %.0f mm)",
+          static_cast<int>(p) + 1, static_cast<int>(pieces.nodes.size()), static_cast<int>(own.rows()),
+          static_cast<int>(mesh.nodes()), centre[0], centre[1], centre[2]);
+      throw InputError(std::string("the supports do not hold ") + where + ": it can still " +
+                       describeFreeMotion(*free) + "; support it as well, or leave it out");
+    }
+  }
+}
+
+std::vector<NodeConstraint> determinatePins(const Points& nodes, const std::vector<char>& closed) {
+  const auto farthest = [&](const auto& distance) {
+    Index best = -1;
+    for (Index n = 0; n < nodes.rows(); ++n)
+      if ((closed.empty() || closed[static_cast<std::size_t>(n)] == 0) &&
+          (best < 0 || distance(n) > distance(best)))
+        best = n;
+    if (best < 0) throw InputError("every node is a candidate support; leave some of the liver free");
+    return best;
+  };
+  const auto at = [&](Index n) { return Vector3d(nodes.row(n).transpose()); };
+  const Vector3d centre = nodes.colwise().mean().transpose();
+  const Index a = farthest([&](Index n) { return (at(n) - centre).norm(); });
+  const Index b = farthest([&](Index n) { return (at(n) - at(a)).norm(); });
+  const Vector3d line = (at(b) - at(a)).normalized();
+  const Index c = farthest([&](Index n) { return (at(n) - at(a)).cross(line).norm(); });
+  const Vector3d normal = (at(c) - at(a)).cross(line).normalized();
+  Matrix3d acrossLine;
+  acrossLine << normal.transpose(), line.cross(normal).transpose(), line.transpose();
+  std::vector<NodeConstraint> result{
+      {.node = static_cast<int>(a), .count = 3},
+      {.node = static_cast<int>(b), .count = 2, .frame = acrossLine, .valuesMm = Vector3d::Zero()},
+      {.node = static_cast<int>(c), .count = 1, .frame = frameAlong(normal), .valuesMm = Vector3d::Zero()}};
+  std::sort(result.begin(), result.end(),
+            [](const NodeConstraint& p, const NodeConstraint& q) { return p.node < q.node; });
+  return result;
 }
 
 }  // namespace falciform

@@ -61,6 +61,13 @@ void addSprings(StiffnessMatrix& stiffness, const BoundaryFaces& faces, const st
 /// size.
 [[nodiscard]] Eigen::Matrix<double, Eigen::Dynamic, 6> rigidMotions(const Points& nodes);
 
+/// Three nodes far apart, held in six directions that are statically determinate: all of the first, two
+/// across the line to the second, one across the plane with the third. Such pins take away the rigid motions
+/// and bear no force under balanced loads. Nodes marked in `closed` (empty: none) are not used. Throws
+/// InputError if all are closed.
+[[nodiscard]] std::vector<NodeConstraint> determinatePins(const Points& nodes,
+                                                          const std::vector<char>& closed = {});
+
 /// Whether constraints leave the body none of its rigid motions.
 [[nodiscard]] bool holds(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
                          const std::vector<NodeConstraint>& constraints);
@@ -71,6 +78,9 @@ void checkHeld(const Eigen::Matrix<double, Eigen::Dynamic, 6>& motions,
                const std::vector<NodeConstraint>& constraints, const BoundaryFaces& faces,
                const std::vector<Support>& supports);
 void checkHeld(const Points& nodes, const std::vector<NodeConstraint>& constraints,
+               const BoundaryFaces& faces, const std::vector<Support>& supports);
+/// The same for every piece of a mesh whose pieces do not touch: each needs supports of its own.
+void checkHeld(const TetrahedralMesh& mesh, const std::vector<NodeConstraint>& constraints,
                const BoundaryFaces& faces, const std::vector<Support>& supports);
 
 }  // namespace falciform
