@@ -67,7 +67,7 @@ Solver oneSetup(const TetrahedralMesh& mesh, const std::vector<Material>& materi
   const std::vector<Support> supports = supportsUnder(setup, 1);
   std::vector<NodeConstraint> constraints =
       nodeConstraints(faces, nodeNormals(faces, mesh.nodes()), supports);
-  checkHeld(mesh.points, constraints, faces, supports);
+  checkHeld(mesh, constraints, faces, supports);
   const auto held =
       std::make_shared<ConstrainedStiffness>(assembleStiffness(mesh, materials, progress.part(0, 0.1)),
                                              std::move(constraints), progress.part(0.1, 1));

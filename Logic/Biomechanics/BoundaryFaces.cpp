@@ -12,6 +12,7 @@ namespace {
 struct Face {
   std::array<int, 3> key;  ///< corners in ascending order
   int element, side;
+  bool even;  ///< that order is a cyclic one of the face's own
 };
 
 std::vector<Face> sortedFaces(const TetrahedralMesh& mesh) {
@@ -19,9 +20,11 @@ std::vector<Face> sortedFaces(const TetrahedralMesh& mesh) {
   faces.reserve(static_cast<std::size_t>(4 * mesh.size()));
   for (Index e = 0; e < mesh.size(); ++e)
     for (int side = 0; side < 4; ++side) {
-      Face face{.key = {}, .element = static_cast<int>(e), .side = side};
+      Face face{.key = {}, .element = static_cast<int>(e), .side = side, .even = true};
       for (std::size_t k = 0; k < 3; ++k)
         face.key[k] = mesh.elements(e, kTetrahedronFaces[static_cast<std::size_t>(side)][k]);
+      face.even =
+          (face.key[0] < face.key[1]) + (face.key[1] < face.key[2]) + (face.key[2] < face.key[0]) == 2;
       std::sort(face.key.begin(), face.key.end());
       faces.push_back(face);
     }
@@ -41,6 +44,10 @@ std::vector<Face> singleFaces(const TetrahedralMesh& mesh) {
       throw InputError("tetrahedra " + std::to_string(faces[i].element) + ", " +
                        std::to_string(faces[i + 1].element) + " and " + std::to_string(faces[i + 2].element) +
                        " share one face: some are doubled; mesh the surface anew");
+    if (end - i == 2 && faces[i].even == faces[i + 1].even)
+      throw InputError(
+          "tetrahedra " + std::to_string(faces[i].element) + " and " + std::to_string(faces[i + 1].element) +
+          " lie on the same side of one face: one is doubled or inverted; mesh the surface anew");
     if (end - i == 1) single.push_back(faces[i]);
     i = end;
   }

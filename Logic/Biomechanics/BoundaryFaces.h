@@ -19,7 +19,8 @@ struct BoundaryFaces {
   [[nodiscard]] int nodesPerFace() const { return quadratic ? 6 : 3; }
 };
 
-/// In order of element and face. Throws InputError where three elements or more share a face.
+/// In order of element and face. Throws InputError where three elements or more share a face, or two that
+/// share one lie on the same side of it.
 [[nodiscard]] BoundaryFaces boundaryFaces(const TetrahedralMesh& mesh);
 
 /// The weight of a face's area that its node `k` of 0..5 carries, the integral of N_k over the face by its

@@ -43,6 +43,18 @@ SparseLower permuted(const SparseLower& matrix, const std::vector<std::int64_t>&
   return result;
 }
 
+/// What is left of a diagonal entry in elimination, by the entry, below which it is rounding: a body that is
+/// not held leaves some 1e-16 to 1e-15 of either sign, one that is held more than 1e-10 even if slender and
+/// nearly incompressible.
+constexpr double kSmallestPivot = 1e-13;
+
+double diagonalOf(const SparseLower& lower, std::int64_t column) {
+  for (auto at = static_cast<std::size_t>(lower.begin[static_cast<std::size_t>(column)]);
+       at < static_cast<std::size_t>(lower.begin[static_cast<std::size_t>(column) + 1]); ++at)
+    if (lower.rows[at] == column) return lower.values[at];
+  return 0;
+}
+
 std::vector<double> operationsOf(const SupernodalStructure& structure) {
   std::vector<double> work;
   for (std::size_t s = 0; s < structure.supernodes(); ++s) {
@@ -128,7 +140,14 @@ void SparseCholesky::Fronts::factorise(std::size_t s, std::vector<int>& places, 
   }
   addMatrix(s, places);
   for (const int child : children[s]) addUpdate(s, static_cast<std::size_t>(child), places, parallel);
+  std::vector<double> diagonal;  // of the matrix itself
+  for (std::int64_t column = structure.super[s]; column < structure.super[s + 1]; ++column)
+    diagonal.push_back(diagonalOf(matrix, column));
   if (!factorisePanel(panel, height, width, updates[s].data.get(), parallel)) definite = false;
+  for (std::int64_t k = 0; k < width; ++k) {
+    const double root = panel[k * height + k];
+    if (!(root * root > kSmallestPivot * diagonal[static_cast<std::size_t>(k)])) definite = false;
+  }
 }
 
 SparseCholesky::SparseCholesky(const SparseLower& matrix, const std::vector<std::int64_t>& order,

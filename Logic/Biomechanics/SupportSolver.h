@@ -28,7 +28,8 @@ struct SupportHypothesis {
 /// and one back substitution for the displacements of all nodes.
 class SupportSolver {
  public:
-  /// Throws InputError for a damaged mesh or material, or candidates that are not there.
+  /// Throws InputError for a damaged mesh or one in pieces, a damaged material, or candidates that are not
+  /// there.
   SupportSolver(const TetrahedralMesh& mesh, const std::vector<Material>& materials,
                 const CandidateSupports& candidates, const Progress& progress = {});
 
