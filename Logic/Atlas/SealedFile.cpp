@@ -89,26 +89,31 @@ void sealFile(const std::filesystem::path& file, const std::string& kind, int ve
   if (!stream || error) throw InputError("cannot write '" + file.string() + "'; is the disk full?");
 }
 
-void checkSeal(const std::filesystem::path& file, const std::string& kind, int newest) {
+std::string sealFault(const std::filesystem::path& file, const std::string& kind, int newest) {
   const std::string name = "'" + file.string() + "'";
   std::error_code error;
-  if (!std::filesystem::exists(file, error)) throw InputError(name + " does not exist; check the path");
-  if (std::filesystem::is_directory(file, error)) throw InputError(name + " is a folder; name a file");
+  if (!std::filesystem::exists(file, error)) return name + " does not exist; check the path";
+  if (std::filesystem::is_directory(file, error)) return name + " is a folder; name a file";
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(name + " cannot be read; check its permissions");
+  if (!stream) return name + " cannot be read; check its permissions";
   Seal seal;
   if (!readHead(stream, seal) || seal.kind != kind)
-    throw InputError(name + " is no " + kind + "; give a file that falciform wrote");
+    return name + " is no " + kind + "; give a file that falciform wrote";
   if (seal.version < 1 || seal.version > newest)
-    throw InputError(name + " is a " + kind + " of version " + std::to_string(seal.version) +
-                     ", newer than this program reads (" + std::to_string(newest) +
-                     "); install a newer falciform or build it anew");
+    return name + " is a " + kind + " of version " + std::to_string(seal.version) +
+           ", newer than this program reads (" + std::to_string(newest) +
+           "; install a newer falciform or build it anew";
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (error || bytes != seal.bytes)
-    throw InputError(name + " has " + std::to_string(bytes) + " bytes but was written with " +
-                     std::to_string(seal.bytes) + "; copy it again or build it anew");
+    return name + " has " + std::to_string(bytes) + " bytes but was written with " +
+           std::to_string(seal.bytes) + "; copy it again or build it anew";
   if (checksumOfRest(stream) != seal.checksum)
-    throw InputError(name + " has changed since it was written; copy it again or build it anew");
+    return name + " has changed since it was written; copy it again or build it anew";
+  return "";
+}
+
+void checkSeal(const std::filesystem::path& file, const std::string& kind, int newest) {
+  if (const std::string fault = sealFault(file, kind, newest); !fault.empty()) throw InputError(fault);
 }
 
 }  // namespace falciform

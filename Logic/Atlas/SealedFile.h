@@ -14,8 +14,11 @@ inline constexpr std::size_t kSealBytes = 512;
 /// Writes the head of a finished file whose first kSealBytes are free. Throws InputError if that fails.
 void sealFile(const std::filesystem::path& file, const std::string& kind, int version);
 
-/// Throws InputError that says in one line what is wrong: missing, another kind of file, newer than
-/// `newest`, cut off, or changed since it was written.
+/// What is wrong with a file, in one line: missing, of another kind, newer than `newest`, cut off, or changed
+/// since it was written; empty if nothing is.
+[[nodiscard]] std::string sealFault(const std::filesystem::path& file, const std::string& kind, int newest);
+
+/// Throws InputError that says so.
 void checkSeal(const std::filesystem::path& file, const std::string& kind, int newest);
 
 /// A running checksum (FNV-1a of 64 bits, over words of 8 bytes): against accidents, not against forgers.

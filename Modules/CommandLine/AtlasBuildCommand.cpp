@@ -52,14 +52,22 @@ void declare(Syntax& syntax) {
 
 AtlasDesign readDesign(const std::string& text, CommandRun& run) {
   const std::vector<std::string>& presets = atlasPresets();
-  if (std::find(presets.begin(), presets.end(), text) != presets.end()) return atlasPreset(text);
+  if (std::find(presets.begin(), presets.end(), text) != presets.end()) {
+    AtlasDesign design = atlasPreset(text);
+    design.seed = run.provenance.seed;
+    return design;
+  }
   std::error_code error;
   if (!fs::exists(text, error))
     throw InputError("'" + text + "' is neither a design file nor a preset; give a JSON file or " +
                      presetsText());
   run.remember(text);
   try {
-    return designFromJson(readJsonFile(text));
+    nlohmann::json json = readJsonFile(text);
+    if (json.is_object() && !json.contains("seed")) json["seed"] = run.provenance.seed;
+    AtlasDesign design = designFromJson(json);
+    run.provenance.seed = design.seed;
+    return design;
   } catch (const InputError& fault) {
     const std::string what = fault.what(), name = fs::path(text).filename().string();
     throw InputError(what.find(name) == std::string::npos ? "'" + name + "': " + what : what);

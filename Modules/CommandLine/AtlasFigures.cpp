@@ -79,7 +79,7 @@ std::vector<std::string> atlasLines(const Atlas& atlas) {
                   counted(atlas.members.size(), "member", "members") + " of " +
                   counted(atlas.setups.size(), "setup", "setups") + ", from " +
                   counted(static_cast<std::size_t>(atlas.solves), "independent solve", "independent solves"));
-  lines.push_back("rank " + std::to_string(atlas.rank()) + " holds " + numberText(atlas.energy) +
+  lines.push_back("rank " + std::to_string(atlas.rank()) + " holds " + fixed(atlas.energy, 7) +
                   " of the mean squared displacement (" + numberText(atlas.design.energy) + " asked for); " +
                   fixed(extremes.errorMm, 3) + " mm RMS are left of a member at most");
   lines.push_back("displacements up to " + fixed(extremes.maxMm, 1) + " mm, " + fixed(extremes.rmsMm, 1) +
