@@ -76,13 +76,13 @@ std::vector<int> withoutCrumbs(const SupportSites& sites, const Adjacency& faces
 }
 
 /// How deep a face lies in a hollow that runs head to foot, mm: behind it the organ comes further back on
-/// both sides within `reach`, at the same height.
+/// both sides within `reach`, at about the same height.
 double hollowMm(const SupportSites& sites, const std::vector<int>& back, const Vector3d& place,
                 double reach) {
   double left = 0, right = 0;
   for (const int f : back) {
     const Vector3d d = sites.centres.row(f).transpose() - place;
-    if (std::abs(d.z()) > kNeighbourhoodMm / 2 || std::abs(d.x()) > reach) continue;
+    if (std::abs(d.z()) > kNeighbourhoodMm || std::abs(d.x()) > reach) continue;
     double& side = d.x() > 0 ? left : right;
     side = std::max(side, d.y());
   }
