@@ -1,5 +1,5 @@
 #pragma once
-#include <memory>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -60,7 +60,8 @@ struct UpdateResult {
 /// known. `scanFromPreopStart`: a rigid registration. Throws InputError for fewer than 10 scan points.
 [[nodiscard]] UpdateResult updateModel(const UpdateModel& model, const Surface& scan,
                                        const Isometry3d& scanFromPreopStart,
-                                       const UpdateSettings& settings = {}, const Progress& progress = {});
+                                       const UpdateSettings& settings = {}, std::uint64_t seed = 1,
+                                       const Progress& progress = {});
 
 /// Pre-op places (K x 3, mm) to where they are now, scan mm: targets, vessels, tumours. Beyond the mesh
 /// displacements go on linearly.

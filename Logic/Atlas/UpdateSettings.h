@@ -13,7 +13,6 @@ struct UpdateSettings {
   double maxBendMm = 40;           ///< largest RMS bending that is believed beforehand
   double seenLoadShare = 0.03;     ///< loads where the scan sees the surface, beside those where it does not
   double reachMm = 15;             ///< how near scan points must be for a place to count as seen
-  int seed = 1;
 };
 
 template <class Visitor>
@@ -43,7 +42,6 @@ void describe(UpdateSettings& s, Visitor&& field) {
   field(FieldInfo{"reachMm", "Reach", "mm", 1, 100,
                   "A place of the surface is seen if many scan points are within this distance."},
         s.reachMm);
-  field(FieldInfo{"seed", "Seed", "", 0, 1e9, "Of the choice of scan points."}, s.seed);
 }
 
 }  // namespace falciform

@@ -3,10 +3,10 @@
 namespace falciform::commandline {
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> all{importCommand(),     patchesCommand(),   registerCommand(),
-                                        distanceCommand(),   runCommand(),       demoCommand(),
-                                        synthesiseCommand(), trialsCommand(),    meshCommand(),
-                                        atlasBuildCommand(), atlasInfoCommand(), infoCommand()};
+  static const std::vector<Command> all{
+      importCommand(),    patchesCommand(),    registerCommand(), distanceCommand(), runCommand(),
+      demoCommand(),      synthesiseCommand(), trialsCommand(),   meshCommand(),     atlasBuildCommand(),
+      atlasInfoCommand(), updateCommand(),     infoCommand()};
   return all;
 }
 

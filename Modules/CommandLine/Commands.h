@@ -26,6 +26,7 @@ struct Command {
 [[nodiscard]] Command meshCommand();
 [[nodiscard]] Command atlasBuildCommand();
 [[nodiscard]] Command atlasInfoCommand();
+[[nodiscard]] Command updateCommand();
 [[nodiscard]] Command infoCommand();
 
 /// All of them, in the order of the work.

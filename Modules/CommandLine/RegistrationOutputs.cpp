@@ -51,11 +51,15 @@ std::vector<std::string> registrationFiles() {
   return {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json", "preop_on_scan.vtp"};
 }
 
+void writePose(const Isometry3d& scanFromPreop, const std::filesystem::path& folder, CommandRun& run) {
+  for (const char* name : {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json"})
+    writeTransform(run.outputs.staged(folder / name), scanFromPreop, kScanFromPreopInWords,
+                   Overwrite::Replace);
+}
+
 void writeRegistration(const Surface& preop, const Surface& scan, const RegistrationResult& result,
                        const std::filesystem::path& folder, CommandRun& run) {
-  for (const char* name : {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json"})
-    writeTransform(run.outputs.staged(folder / name), result.scanFromPreop, kScanFromPreopInWords,
-                   Overwrite::Replace);
+  writePose(result.scanFromPreop, folder, run);
   Surface moved = transformed(preop, result.scanFromPreop, scan.frame);
   if (result.warp) {
     moved.points = result.warp->preopOnScan;

@@ -28,6 +28,8 @@ void declarePreset(Syntax& syntax, const std::string& group);
 /// Writes them into `folder`, where they were announced.
 void writeRegistration(const Surface& preop, const Surface& scan, const RegistrationResult& result,
                        const std::filesystem::path& folder, CommandRun& run);
+/// scan_from_preop.tfm, .txt and .json.
+void writePose(const Isometry3d& scanFromPreop, const std::filesystem::path& folder, CommandRun& run);
 void describeFrames(CommandRun& run);
 /// The figures on stdout.
 void tellRegistration(const RegistrationResult& result, const StartPose& start, CommandRun& run);

@@ -1,0 +1,58 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "Logic/Atlas/ModelUpdate.h"
+#include "Logic/Geometry/KdTree.h"
+
+namespace falciform {
+
+/// A model update at work: one scan, iteration by iteration. Inside Logic/Atlas only.
+class ModelFit {
+ public:
+  ModelFit(const UpdateModel& model, const Surface& scan, const Isometry3d& scanFromPreopStart,
+           const UpdateSettings& settings, std::uint64_t seed);
+
+  UpdateResult run(const Progress& progress);
+
+ private:
+  struct Correspondence {
+    int vertex = 0;
+    double residual = 0, distance = 0;
+  };
+
+  void choosePoints(const Surface& scan, std::uint64_t seed);
+  void refreshSurface();
+  void refreshSeen();
+  void correspond(std::size_t count);
+  double step(std::size_t count);
+  void addPatches(std::size_t count, const Vector3d& centre, double weight);
+  void planeRow(std::size_t j, const Vector3d& centre, double weight, double* row) const;
+  void vertexRow(int vertex, const Vector3d& along, double* row) const;
+  double solve(const Vector3d& centre);
+  void learn(const Eigen::MatrixXd& covariance, const VectorXd& whitened);
+  [[nodiscard]] VectorXd perLoad() const;
+
+  const UpdateModel& model_;
+  const UpdateSettings& settings_;
+  Isometry3d pose_;  ///< pre-op from scan
+  Points points_;    ///< of the scan, its frame, in random order
+  Points crowd_;     ///< more of them, for what is seen
+  std::vector<int> labels_;
+  VectorXd coefficients_;
+  VectorXd seen_;  ///< 1 or the share, for each load
+  double bendMm_ = 10, noiseMm_ = 2, rmsMm_ = 0, known_ = 0;
+  Points nodal_;   ///< displacements of the mesh's nodes
+  Surface moved_;  ///< the pre-op surface deformed
+  Points normals_;
+  KdTree tree_;
+  std::vector<std::pair<int, KdTree>> patches_;
+  std::vector<Correspondence> found_;
+  std::vector<double> weights_;
+  Eigen::MatrixXd normal_;  ///< J' W J
+  VectorXd right_;
+  Eigen::MatrixXd covariance_;
+  Vector3d turnCentre_ = Vector3d::Zero();
+};
+
+}  // namespace falciform
