@@ -1,7 +1,7 @@
 #include "Modules/AtlasUpdate/SupportBrush.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -42,8 +42,11 @@ SupportBrush::SupportBrush(Workbench& workbench, QWidget* parent)
   modes->addWidget(paint_, 1);
   modes->addWidget(erase_);
   modes->addWidget(radius_);
-  auto* steps = new QHBoxLayout;
-  for (QPushButton* step : {undo_, redo_, clear_, add_}) steps->addWidget(step);
+  auto* steps = new QGridLayout;
+  steps->addWidget(undo_, 0, 0);
+  steps->addWidget(redo_, 0, 1);
+  steps->addWidget(clear_, 1, 0);
+  steps->addWidget(add_, 1, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(modes);
