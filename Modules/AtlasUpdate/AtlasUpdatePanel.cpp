@@ -133,11 +133,11 @@ void AtlasUpdatePanel::addUpdate() {
   needs_->setTextFormat(Qt::RichText);
   group->addWidget(needs_);
   QLabel* words = wrappedLabel("atlasNotYet", this);
-  words->setText(
-      tr("Moving tumours and vessels to where the liver in the scan has carried them needs a deformation "
-         "atlas that is fitted to the scan (thesis ch. V). \"falciform atlas build\" makes such an atlas on "
-         "the command line; fitting it is not part of this version. What the sliders show is computed from "
-         "the supports that you painted, not measured."));
+  words->setText(tr(
+      "Moving tumours and vessels to where the liver in the scan has carried them needs a deformation "
+      "atlas that is fitted to the scan (thesis ch. V). The window does not fit one; on the command line, "
+      "\"falciform atlas build\" makes the atlas and \"falciform update\" fits it. What the sliders show is "
+      "computed from the supports that you painted, not measured."));
   group->addWidget(words);
 }
 

@@ -66,7 +66,7 @@ QString updateNeeds(const Case& document) {
   return QStringList{line(document.preop() != nullptr, tr("a pre-operative surface")),
                      line(document.scan() != nullptr, tr("an intra-operative scan")),
                      line(registered, tr("an up-to-date registration of the two")),
-                     line(false, tr("the fit of a deformation atlas (not in this version)"))}
+                     line(false, tr("the fit of a deformation atlas (not in this window)"))}
       .join("<br>");
 }
 
