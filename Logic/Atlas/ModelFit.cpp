@@ -67,14 +67,14 @@ void ModelFit::refreshSurface() {
     flat.segment(at, count) = (loads.responses.middleCols(at, count).transpose() * q).cast<double>();
   });
   moved_ = {};
-  moved_.triangles = model_.preop().triangles;
-  moved_.points = model_.preop().points + Points(model_.places().interpolate(nodal_));
+  moved_.triangles = model_.fine().triangles;
+  moved_.points = model_.fine().points + Points(model_.places().interpolate(nodal_));
   normals_ = vertexNormals(moved_);
   tree_ = KdTree(moved_.points);
   patches_.clear();
   if (settings_.patchWeight > 0)
-    for (const int label : patchLabels(model_.preop()))
-      patches_.emplace_back(label, KdTree(moved_.points, pointsOfPatch(model_.preop(), label)));
+    for (const int label : patchLabels(model_.fine()))
+      patches_.emplace_back(label, KdTree(moved_.points, pointsOfPatch(model_.fine(), label)));
 }
 
 /// Which load centres, where they are now, lie under the scan: as many points around them as a quarter of
@@ -142,7 +142,7 @@ void ModelFit::planeRow(std::size_t j, const Vector3d& centre, double weight, do
   vertexRow(vertex, normal, row);
   Eigen::Map<Vector3d>(row + loads) = -(y - centre).cross(normal);
   Eigen::Map<Vector3d>(row + loads + 3) = -normal;
-  row[loads + 6] = normal.dot(y - Vector3d(model_.preop().points.row(vertex).transpose()));
+  row[loads + 6] = normal.dot(y - Vector3d(model_.fine().points.row(vertex).transpose()));
   Eigen::Map<VectorXd>(row, loads + 7) *= weight;
 }
 
@@ -197,7 +197,7 @@ void ModelFit::addPatches(std::size_t count, const Vector3d& centre, double weig
           vertexRow(vertex, axis, row);
           Eigen::Map<Vector3d>(row + loads) = -(y - centre).cross(axis);
           Eigen::Map<Vector3d>(row + loads + 3) = -axis;
-          row[size] = y[a] - model_.preop().points(vertex, a);
+          row[size] = y[a] - model_.fine().points(vertex, a);
           Eigen::Map<VectorXd>(row, size + 1) *= share;
         }
       }

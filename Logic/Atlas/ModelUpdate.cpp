@@ -7,6 +7,7 @@
 #include "Logic/Atlas/ModelFit.h"
 #include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Geometry/Subdivision.h"
 
 namespace falciform {
 
@@ -14,7 +15,9 @@ UpdateModel::UpdateModel(const Surface& preop, LoadResponses responses)
     : preop_(preop), responses_(std::move(responses)) {
   checkSurface(preop, "the pre-operative surface");
   const MeshLocator locator(responses_.mesh);
-  places_ = MeshPlaces(locator, preop.points);
+  constexpr double kFineEdgeMm = 2.5;
+  fine_ = subdividedTo(preop, kFineEdgeMm);
+  places_ = MeshPlaces(locator, fine_.points);
   centres_ = MeshPlaces(locator, responses_.centres);
 }
 

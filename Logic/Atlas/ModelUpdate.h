@@ -19,11 +19,13 @@ class UpdateModel {
 
   [[nodiscard]] const Surface& preop() const { return preop_; }
   [[nodiscard]] const LoadResponses& responses() const { return responses_; }
-  [[nodiscard]] const MeshPlaces& places() const { return places_; }  ///< of the surface's points in the mesh
+  /// The pre-op surface, subdivided where its edges are long: closest points are sought among its points.
+  [[nodiscard]] const Surface& fine() const { return fine_; }
+  [[nodiscard]] const MeshPlaces& places() const { return places_; }    ///< of fine()'s points in the mesh
   [[nodiscard]] const MeshPlaces& centres() const { return centres_; }  ///< of the load centres
 
  private:
-  Surface preop_;
+  Surface preop_, fine_;
   LoadResponses responses_;
   MeshPlaces places_, centres_;
 };

@@ -94,7 +94,7 @@ falciform::Surface movedSurface(const UpdateModel& model, const UpdateResult& up
 /// nodes.
 VectorXd surfaceExpectation(const UpdateModel& model, const UpdateResult& update) {
   const VectorXd nodes = expectedErrorMm(model, update, model.responses().mesh.points);
-  return model.places().interpolate(nodes).col(0).cwiseMax(0);
+  return MeshPlaces(model.responses().mesh, model.preop().points).interpolate(nodes).col(0).cwiseMax(0);
 }
 
 void execute(const ParsedArguments& arguments, CommandRun& run) {
