@@ -19,6 +19,9 @@ namespace {
 /// for two faces that meet at an edge it is sin^2 of half the turn, so the limit is a turn of 53 degrees.
 constexpr double kOwnNormal = 0.2;
 
+/// A face this far from its node's normal is across an edge, however small it is beside the others: cos 60.
+constexpr double kAcrossEdge = 0.5;
+
 /// What the faces of the supports around one node ask of it.
 struct Demands {
   const Support* whole = nullptr;  ///< Fixed or Moved
@@ -135,6 +138,12 @@ NodeNormals nodeNormals(const BoundaryFaces& faces, Index nodes) {
     result.normals.row(n).normalize();
     const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(s / s.trace(), Eigen::EigenvaluesOnly);
     result.sharp[static_cast<std::size_t>(n)] = solver.eigenvalues()[1] >= kOwnNormal;
+  }
+  for (Index f = 0; f < faces.size(); ++f) {
+    const Vector3d normal = faces.areaVectors.row(f).normalized().transpose();
+    for (int k = 0; k < faces.nodesPerFace(); ++k)
+      if (result.normals.row(faces.nodes(f, k)).dot(normal.transpose()) < kAcrossEdge)
+        result.sharp[static_cast<std::size_t>(faces.nodes(f, k))] = 1;
   }
   return result;
 }

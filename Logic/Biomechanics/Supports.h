@@ -34,8 +34,8 @@ struct NodeConstraint {
 };
 
 /// The outward normal of each node by Engelman et al. 1982, n_i = sum of the integrals of N_i n (unit, zero
-/// inside), and whether the surface has an edge or corner there (a turn of more than about 50 degrees), so
-/// that no single normal stands for it.
+/// inside), and whether the surface has an edge or corner there (a turn of more than about 50 degrees, or a
+/// face more than 60 from the normal), so that no single normal stands for it.
 struct NodeNormals {
   Points normals;
   std::vector<char> sharp;

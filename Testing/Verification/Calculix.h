@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "Testing/Verification/HeldBody.h"
+
+namespace falciform::verification {
+
+/// A problem put to two programs: loads are said in CalculiX's own words where it has any, so that its
+/// integration of weight and pressure is compared as well.
+struct SharedProblem {
+  std::string name;
+  HeldBody body;                              ///< with all loads as nodal forces
+  Vector3d gravityMPerS2 = Vector3d::Zero();  ///< *DLOAD GRAV
+  std::vector<int> pressedFaces{};            ///< *DLOAD P, of boundary faces
+  double pressureMPa = 0;
+  bool asNodalForces = false;  ///< *CLOAD instead of the above
+};
+
+/// CalculiX's executable `ccx` (Debian: calculix-ccx) on the path.
+[[nodiscard]] std::optional<std::filesystem::path> findCalculix();
+
+/// The problem as an input file: C3D4 or C3D10, *BOUNDARY for nodes held wholly, *EQUATION for those held
+/// along directions of their own.
+[[nodiscard]] std::string calculixInput(const SharedProblem& problem);
+
+/// Runs CalculiX in `folder`: displacements in mm, N x 3, to the seven digits that it prints. Throws
+/// std::runtime_error with the end of its log if it gives none.
+[[nodiscard]] Points solveWithCalculix(const SharedProblem& problem, const std::filesystem::path& calculix,
+                                       const std::filesystem::path& folder);
+
+}  // namespace falciform::verification
