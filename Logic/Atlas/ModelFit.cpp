@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kChunk = 256;
 constexpr int kCoarsePoints = 800;
+constexpr double kStaleMm = 0.15;    ///< RMS motion after which trees are made anew; vertices are 2 mm apart
 constexpr double kSettledMm = 0.02;  ///< RMS change of the fitted surface under the scan by one step
 
 double squared(double x) { return x * x; }
@@ -30,6 +31,7 @@ ModelFit::ModelFit(const UpdateModel& model, const Surface& scan, const Isometry
   choosePoints(scan, seed);
   coefficients_ = VectorXd::Zero(model.responses().loads());
   refreshSurface();
+  refreshTrees();
 }
 
 void ModelFit::choosePoints(const Surface& scan, std::uint64_t seed) {
@@ -69,6 +71,11 @@ void ModelFit::refreshSurface() {
   moved_ = {};
   moved_.triangles = model_.fine().triangles;
   moved_.points = model_.fine().points + Points(model_.places().interpolate(nodal_));
+}
+
+/// What closest points are sought with: normals and trees of the surface as it is now.
+void ModelFit::refreshTrees() {
+  sinceTreesMm_ = 0;
   normals_ = vertexNormals(moved_);
   tree_ = KdTree(moved_.points);
   patches_.clear();
@@ -160,8 +167,7 @@ double ModelFit::step(std::size_t count) {
   });
   const VectorXd whitening = perLoad();
   rows.topRows(loads).array().colwise() *= whitening.array();
-  const Eigen::MatrixXd transposed = rows.transpose();
-  const Eigen::MatrixXd products = transposedProduct(transposed, transposed);
+  const Eigen::MatrixXd products = outerSquare(rows);
   normal_ = products.topLeftCorner(size, size);
   right_ = products.col(size).head(size);
   addPatches(count, centre, squared(perPoint) * settings_.patchWeight);
@@ -203,8 +209,7 @@ void ModelFit::addPatches(std::size_t count, const Vector3d& centre, double weig
       }
     });
     rows.topRows(loads).array().colwise() *= perLoad().array();
-    const Eigen::MatrixXd transposed = rows.transpose();
-    const Eigen::MatrixXd products = transposedProduct(transposed, transposed);
+    const Eigen::MatrixXd products = outerSquare(rows);
     normal_ += products.topLeftCorner(size, size);
     right_ += products.col(size).head(size);
   }
@@ -271,6 +276,8 @@ UpdateResult ModelFit::run(const Progress& progress) {
     const double change = step(count);
     result.iterations = iteration;
     refreshSurface();
+    sinceTreesMm_ += change;
+    if (sinceTreesMm_ > kStaleMm) refreshTrees();
     if (iteration < 12) continue;
     if (count < all && (change < 5 * kSettledMm || iteration > settings_.maxIterations - 8)) {
       count = all;

@@ -23,6 +23,7 @@ class ModelFit {
 
   void choosePoints(const Surface& scan, std::uint64_t seed);
   void refreshSurface();
+  void refreshTrees();
   void refreshSeen();
   void correspond(std::size_t count);
   double step(std::size_t count);
@@ -40,7 +41,8 @@ class ModelFit {
   Points crowd_;     ///< more of them, for what is seen
   std::vector<int> labels_;
   VectorXd coefficients_;
-  VectorXd seen_;  ///< 1 or the share, for each load
+  VectorXd seen_;            ///< 1 or the share, for each load
+  double sinceTreesMm_ = 0;  ///< how far the surface has moved since its trees were made
   double bendMm_ = 10, noiseMm_ = 2, rmsMm_ = 0, known_ = 0;
   Points nodal_;   ///< displacements of the mesh's nodes
   Surface moved_;  ///< the pre-op surface deformed

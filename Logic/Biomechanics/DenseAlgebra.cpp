@@ -188,6 +188,21 @@ Eigen::MatrixXd transposedProduct(const Eigen::MatrixXd& a, const Eigen::MatrixX
   return multiply("T", a, b);
 }
 
+Eigen::MatrixXd outerSquare(const Eigen::MatrixXd& a) {
+  const int inner = static_cast<int>(a.cols()), stride = static_cast<int>(a.rows());
+  const double one = 1, zero = 0;
+  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(a.rows(), a.rows());
+  if (inner == 0) return c;
+  forEachChunk(static_cast<std::size_t>(a.rows()), 48, [&](std::size_t first, std::size_t last) {
+    const auto at = static_cast<Index>(first);  // a strip of the lower triangle
+    const int columns = static_cast<int>(last - first), rows = static_cast<int>(a.rows() - at);
+    dgemm_("N", "T", &rows, &columns, &inner, &one, a.data() + at, &stride, a.data() + at, &stride, &zero,
+           c.data() + at * a.rows() + at, &stride);
+  });
+  c.triangularView<Eigen::StrictlyUpper>() = c.transpose();
+  return c;
+}
+
 bool factorisePanel(double* panel, Index height, Index width, double* update, bool parallel) {
   if (!factoriseColumns(panel, height, width, parallel)) return false;
   const Index rest = height - width;

@@ -22,6 +22,8 @@ void invertCholesky(Eigen::MatrixXd& lower);
 /// C = A B, or A' B.
 [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 [[nodiscard]] Eigen::MatrixXd transposedProduct(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+/// A A', both triangles.
+[[nodiscard]] Eigen::MatrixXd outerSquare(const Eigen::MatrixXd& a);
 
 /// What a supernode of a sparse factor asks for: panels of `height` rows, their own `width` columns first,
 /// the diagonal block's lower triangle on top. All matrices column-major with a leading dimension.

@@ -6,19 +6,18 @@
 #include "Logic/Biomechanics/BoundaryFaces.h"
 #include "Logic/Core/Errors.h"
 #include "Modules/CommandLine/Figures.h"
+#include "Modules/CommandLine/PictureTiles.h"
 #include "Widgets/Rendering/CameraViews.h"
 #include "Widgets/Rendering/ColourBarPresenter.h"
 #include "Widgets/Rendering/LegendPresenter.h"
-#include "Widgets/Rendering/OffscreenWindow.h"
 #include "Widgets/Rendering/Scene.h"
 #include "Widgets/Rendering/SurfacePresenter.h"
-#include "Widgets/Rendering/TextPresenter.h"
 
 namespace falciform::commandline {
 
 namespace {
 
-constexpr int kTileWidth = 560, kTileHeight = 440, kColumns = 3, kShown = 5;
+constexpr int kColumns = 3, kShown = 5;
 constexpr char kArray[] = "displacement_mm";
 constexpr double kLittleFolded = 1e-3;  // share of the volume
 
@@ -58,24 +57,6 @@ Skin skinOf(const TetrahedralMesh& mesh, const BoundaryFaces& faces) {
   return skin;
 }
 
-std::unique_ptr<Scene> emptyScene(const std::string& title, TextPlace place) {
-  SceneStyle style;
-  style.textPx = 2 * kTileHeight / 26;
-  auto scene = std::make_unique<Scene>(style);
-  auto& text = scene->add<TextPresenter>(place, style.textPx, style.text);
-  text.setBold(true);
-  text.setText(title);
-  return scene;
-}
-
-RenderedImage drawn(Scene& scene, const Points& within, const ViewDirection& view,
-                    const ViewMargins& margins) {
-  fitView(scene.renderer(), within, view, static_cast<double>(kTileWidth) / kTileHeight, margins);
-  OffscreenWindow window(2 * kTileWidth, 2 * kTileHeight);
-  window.show(scene);
-  return halved(window.image());
-}
-
 /// Triangle by triangle, so that each has a colour of its own.
 RenderedImage supportsTile(const TetrahedralMesh& mesh, const BoundaryFaces& faces, const AtlasSetup& setup,
                            std::size_t number) {
@@ -96,8 +77,8 @@ RenderedImage supportsTile(const TetrahedralMesh& mesh, const BoundaryFaces& fac
       surface->colours.row(3 * f + k) =
           (255 * colours[static_cast<std::size_t>(f)]).cast<std::uint8_t>().transpose();
     }
-  const auto scene = emptyScene("Supports of setup " + std::to_string(number) + ", from below and behind",
-                                TextPlace::TopCentre);
+  const auto scene = titledScene("Supports of setup " + std::to_string(number) + ", from below and behind",
+                                 TextPlace::TopCentre);
   SurfaceStyle style;
   style.edges = true;
   auto& presenter = scene->add<SurfacePresenter>();
@@ -112,7 +93,7 @@ RenderedImage supportsTile(const TetrahedralMesh& mesh, const BoundaryFaces& fac
   if (has(SupportKind::Sliding)) legend.push_back({kSliding, "sliding"});
   if (has(SupportKind::Pushed)) legend.push_back({kPushed, "pushed"});
   scene->add<LegendPresenter>(scene->style().textPx, scene->style().text).show(legend);
-  return drawn(*scene, mesh.points, kBelowBehind, {0.18, 0.05, 0.12, 0.1});
+  return drawnTile(*scene, mesh.points, kBelowBehind, {0.18, 0.05, 0.12, 0.1});
 }
 
 std::string titleOf(const Atlas& atlas, Index m) {
@@ -127,21 +108,6 @@ std::string titleOf(const Atlas& atlas, Index m) {
         ", gravity turned " + fixed(std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / EIGEN_PI, 0) + " deg";
   }
   return title;
-}
-
-/// Put side by side, row by row; what is left of the last row stays white.
-RenderedImage sheetOf(const std::vector<RenderedImage>& tiles) {
-  const int rows = (static_cast<int>(tiles.size()) + kColumns - 1) / kColumns;
-  RenderedImage sheet{.width = kColumns * kTileWidth, .height = rows * kTileHeight, .rgb = {}};
-  sheet.rgb.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 3, 255);
-  for (std::size_t t = 0; t < tiles.size(); ++t) {
-    const std::size_t left = (t % kColumns) * kTileWidth, top = (t / kColumns) * kTileHeight;
-    for (std::size_t y = 0; y < kTileHeight; ++y)
-      std::copy_n(tiles[t].rgb.begin() + static_cast<std::ptrdiff_t>(3 * y * kTileWidth), 3 * kTileWidth,
-                  sheet.rgb.begin() + static_cast<std::ptrdiff_t>(
-                                          3 * ((top + y) * static_cast<std::size_t>(sheet.width) + left)));
-  }
-  return sheet;
 }
 
 }  // namespace
@@ -203,7 +169,7 @@ void saveAtlasPicture(const Atlas& atlas, const std::vector<Index>& members,
   std::vector<RenderedImage> tiles{supportsTile(
       atlas.mesh, faces, atlas.setups[static_cast<std::size_t>(setup)], static_cast<std::size_t>(setup))};
   for (std::size_t k = 0; k < members.size(); ++k) {
-    const auto scene = emptyScene(titleOf(atlas, members[k]), TextPlace::TopLeft);
+    const auto scene = titledScene(titleOf(atlas, members[k]), TextPlace::TopLeft);
     auto& presenter = scene->add<SurfacePresenter>();
     presenter.show(moved[k]);
     presenter.setScalarMap(map);
@@ -215,9 +181,9 @@ void saveAtlasPicture(const Atlas& atlas, const std::vector<Index>& members,
     atRest.setStyle(shadow);
     atRest.show(rest);
     scene->add<ColourBarPresenter>(scene->style().textPx, scene->style().text).show(map);
-    tiles.push_back(drawn(*scene, all, kFront, {0.04, 0.2, 0.12, 0.1}));
+    tiles.push_back(drawnTile(*scene, all, kFront, {0.04, 0.2, 0.12, 0.1}));
   }
-  savePng(sheetOf(tiles), file, overwrite);
+  savePng(sheetOf(tiles, kColumns), file, overwrite);
 }
 
 }  // namespace falciform::commandline

@@ -10,6 +10,7 @@
 #include "Modules/CommandLine/LiverInput.h"
 #include "Modules/CommandLine/RegistrationOutputs.h"
 #include "Modules/CommandLine/TargetError.h"
+#include "Modules/CommandLine/UpdatePicture.h"
 
 namespace falciform::commandline {
 namespace {
@@ -55,6 +56,12 @@ void declare(Syntax& syntax) {
               .help = "Receives updated.vtp, targets_updated.mrk.json, structure surfaces, the rigid part as "
                       "scan_from_preop.*, and update.json.",
               .required = true,
+              .output = true,
+              .group = group});
+  syntax.add({.name = "picture",
+              .kind = File,
+              .label = "Picture",
+              .help = "Also draw the liver before and after the update, and its expected error, .png.",
               .output = true,
               .group = group});
   syntax.addSettings(UpdateSettings{}, "Fit");
@@ -104,6 +111,10 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
     run.outputs.announce(folder / name);
   if (arguments.has("targets")) run.outputs.announce(folder / "targets_updated.mrk.json");
   run.outputs.announce(sidecar);
+  const fs::path picture = arguments.path("picture");
+  if (!picture.empty() && picture.extension() != ".png")
+    throw InputError("--picture is '" + picture.string() + "'; pictures are written as .png");
+  if (!picture.empty()) run.outputs.announce(picture);
   if (arguments.has("truth-targets") && !arguments.has("targets"))
     throw InputError("--truth-targets is given without --targets; give both or none");
 
@@ -150,6 +161,9 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   moved.arrays["expected_error_mm"] = surfaceExpectation(model, update);
   run.figures["expected_error_mean_mm"] = moved.arrays["expected_error_mm"].mean();
   writeSurface(run.outputs.staged(folder / "updated.vtp"), moved, Overwrite::Replace);
+  if (!picture.empty())
+    saveUpdatePicture(liver.surface, moved, scan, rigid.scanFromPreop, run.outputs.staged(picture),
+                      Overwrite::Replace);
   for (const NamedSurface& structure : structures)
     writeSurface(run.outputs.staged(folder / structure.file),
                  movedSurface(model, update, structure.surface, scan.frame), Overwrite::Replace);

@@ -1,0 +1,24 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "Widgets/Rendering/CameraViews.h"
+#include "Widgets/Rendering/RenderedImage.h"
+#include "Widgets/Rendering/Scene.h"
+#include "Widgets/Rendering/TextPresenter.h"
+
+namespace falciform::commandline {
+
+// Sheets of pictures of one size, drawn without a display.
+
+/// A scene for one tile, empty but for its title.
+[[nodiscard]] std::unique_ptr<Scene> titledScene(const std::string& title,
+                                                 TextPlace place = TextPlace::TopLeft);
+/// Draws it so that `within` fills the tile but for the margins.
+[[nodiscard]] RenderedImage drawnTile(Scene& scene, const Points& within, const ViewDirection& view,
+                                      const ViewMargins& margins);
+/// Tiles side by side, row by row; what is left of the last row stays white.
+[[nodiscard]] RenderedImage sheetOf(const std::vector<RenderedImage>& tiles, int columns);
+
+}  // namespace falciform::commandline
