@@ -3,10 +3,10 @@
 #include "Logic/Atlas/AtlasFiles.h"
 #include "Logic/Atlas/KeptSolves.h"
 #include "Logic/Core/Parallel.h"
-#include "Logic/IO/JsonFile.h"
 #include "Modules/CommandLine/AtlasFigures.h"
 #include "Modules/CommandLine/BuildShare.h"
 #include "Modules/CommandLine/Commands.h"
+#include "Modules/CommandLine/DesignInput.h"
 #include "Modules/CommandLine/Figures.h"
 #include "Modules/CommandLine/LiverInput.h"
 #include "Version.h"
@@ -16,11 +16,6 @@ namespace falciform::commandline {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string presetsText() {
-  const std::vector<std::string>& presets = atlasPresets();
-  return listOfNames(std::vector<std::string_view>(presets.begin(), presets.end()));
-}
 
 void declare(Syntax& syntax) {
   using enum ArgumentKind;
@@ -43,35 +38,11 @@ void declare(Syntax& syntax) {
   syntax.add({.name = "DESIGN",
               .kind = Text,
               .label = "Design",
-              .help = "JSON file that says which deformations, or a preset: " + presetsText() + ".",
+              .help = "JSON file that says which deformations, or a preset: " + atlasPresetsText() + ".",
               .required = true,
               .positional = true,
               .group = group});
   for (const ResultField& field : atlasResultFields()) syntax.addResult(field);
-}
-
-AtlasDesign readDesign(const std::string& text, CommandRun& run) {
-  const std::vector<std::string>& presets = atlasPresets();
-  if (std::find(presets.begin(), presets.end(), text) != presets.end()) {
-    AtlasDesign design = atlasPreset(text);
-    design.seed = run.provenance.seed;
-    return design;
-  }
-  std::error_code error;
-  if (!fs::exists(text, error))
-    throw InputError("'" + text + "' is neither a design file nor a preset; give a JSON file or " +
-                     presetsText());
-  run.remember(text);
-  try {
-    nlohmann::json json = readJsonFile(text);
-    if (json.is_object() && !json.contains("seed")) json["seed"] = run.provenance.seed;
-    AtlasDesign design = designFromJson(json);
-    run.provenance.seed = design.seed;
-    return design;
-  } catch (const InputError& fault) {
-    const std::string what = fault.what(), name = fs::path(text).filename().string();
-    throw InputError(what.find(name) == std::string::npos ? "'" + name + "': " + what : what);
-  }
 }
 
 /// Whether `file` holds what this job would build.
