@@ -21,7 +21,9 @@ BuiltInCase makeBuiltInCase(const BuiltInCaseSettings& settings, const Progress&
   made.liver = makeSyntheticLiver(settings.liver, progress.part(0.0, 0.5));
   made.labelMap = makeSyntheticLabelMap(settings.liver, progress.part(0.5, 0.8));
   progress.report(0.8, "Scanning");
-  const SyntheticLiver changed = deformSynthetic(made.liver, settings.deformation);
+  const SyntheticLiver changed = settings.packing.packingMm > 0
+                                     ? packLiver(made.liver, settings.packing)
+                                     : deformSynthetic(made.liver, settings.deformation);
   made.scan = scanSurface(changed.surface, settings.scanner, progress.part(0.8, 1.0));
   made.truthTargets = seenByScanner(changed.targets, made.scan);
   made.scanLandmarks = seenByScanner(changed.anatomical, made.scan);

@@ -6,6 +6,7 @@
 #include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Acquisition/VirtualScanner.h"
 #include "Modules/CommandLine/Outputs.h"
+#include "Modules/CommandLine/PackedLiver.h"
 
 namespace falciform::commandline {
 
@@ -27,6 +28,7 @@ struct BuiltInCaseSettings {
   SyntheticLiverSettings liver;
   VirtualScannerSettings scanner;
   SyntheticDeformationSettings deformation;
+  PackingSettings packing;  ///< above 0 mm: instead of the deformation
   TouchSettings touch;
 };
 

@@ -32,6 +32,7 @@ void declare(Syntax& syntax) {
   syntax.addSettings(SyntheticLiverSettings{}, "Liver");
   syntax.addSettings(SyntheticDeformationSettings{}, kDeformationGroup);
   syntax.rename("rms", "deformation");
+  syntax.addSettings(PackingSettings{}, kDeformationGroup);
   syntax.addSettings(TouchSettings{}, kDeformationGroup);
   syntax.addSettings(VirtualScannerSettings{}, "Scanner");
   syntax.addSettings(PhantomSettings{}, kPhantomGroup);
@@ -52,10 +53,12 @@ void makeLiver(const ParsedArguments& arguments, CommandRun& run) {
   BuiltInCaseSettings settings;
   settings.liver = arguments.settings(settings.liver);
   settings.deformation = arguments.settings(settings.deformation);
+  settings.packing = arguments.settings(settings.packing);
   settings.touch = arguments.settings(settings.touch);
   settings.scanner = arguments.settings(settings.scanner);
   run.settings = {{"liver", settingsToJson(settings.liver)},
                   {"deformation", settingsToJson(settings.deformation)},
+                  {"packing", settingsToJson(settings.packing)},
                   {"landmarks", settingsToJson(settings.touch)},
                   {"scanner", settingsToJson(settings.scanner)}};
   const BuiltInCase made = makeBuiltInCase(settings, run.progress.part(0, 0.9));

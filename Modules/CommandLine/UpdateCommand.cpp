@@ -160,6 +160,12 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   falciform::Surface moved = movedSurface(model, update, liver.surface, scan.frame);
   moved.arrays["expected_error_mm"] = surfaceExpectation(model, update);
   run.figures["expected_error_mean_mm"] = moved.arrays["expected_error_mm"].mean();
+  if (!update.converged && rigid.expectedErrorMeanMm > 0 &&
+      moved.arrays["expected_error_mm"].mean() > rigid.expectedErrorMeanMm)
+    run.warn(
+        "the update expects to err by " + fixed(moved.arrays["expected_error_mm"].mean(), 1) +
+        " mm, the rigid registration by " + fixed(rigid.expectedErrorMeanMm, 1) +
+        " mm: the scan does not tell this bending; stay with the registration, or scan more of the surface");
   writeSurface(run.outputs.staged(folder / "updated.vtp"), moved, Overwrite::Replace);
   if (!picture.empty())
     saveUpdatePicture(liver.surface, moved, scan, rigid.scanFromPreop, run.outputs.staged(picture),
