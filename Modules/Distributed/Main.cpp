@@ -46,6 +46,13 @@ void declare(Syntax& syntax) {
               .min = 1,
               .max = 1000000,
               .group = "Iteration"});
+  syntax.add(
+      {.name = "shard",
+       .kind = Text,
+       .label = "Part of the work",
+       .help = "Do part K/N of the solves (K from 0), beside other calls of mpirun with the same arguments.",
+       .fallback = "0/1",
+       .group = "Files"});
   syntax.add({.name = "DESIGN",
               .kind = Text,
               .label = "Design",
@@ -89,14 +96,15 @@ void execute(const Ranks& ranks, const ParsedArguments& arguments) {
     kept.emplace(arguments.text("out") + ".part", basisOf(*job, kVersion), *job);
     if (ranks.first()) kept->open(arguments.has("force"));
   });
-  std::vector<char> there(job->solves.batches.size(), 1);
+  const std::vector<int> mine =
+      buildShare(arguments.text("shard")).of(static_cast<int>(job->solves.batches.size()));
+  std::vector<char> there(mine.size(), 1);
   ranks.together([&] {
-    for (std::size_t batch = 0; batch < there.size() && ranks.first(); ++batch)
-      there[batch] = kept->has(static_cast<int>(batch));
+    for (std::size_t k = 0; k < mine.size() && ranks.first(); ++k) there[k] = kept->has(mine[k]);
   });
   // The first rank says what is missing: others may see the folder late.
-  for (std::size_t batch = 0; batch < there.size(); ++batch)
-    if (ranks.sum(there[batch]) < ranks.size()) missing.push_back(static_cast<int>(batch));
+  for (std::size_t k = 0; k < mine.size(); ++k)
+    if (ranks.sum(there[k]) < ranks.size()) missing.push_back(mine[k]);
   const IterationPlan plan{parseNumber("--tolerance", arguments.text("tolerance")),
                            arguments.integer("max-iterations")};
   solveTogether(
@@ -105,7 +113,8 @@ void execute(const Ranks& ranks, const ParsedArguments& arguments) {
       [&](const std::string& line) {
         if (!run.quiet) std::cout << line << std::endl;
       });
-  run.say(std::to_string(job->solves.solves.size()) + " solves are kept in '" + kept->folder().string() +
+  run.say(std::to_string(kept->count()) + " of " + std::to_string(job->solves.solves.size()) +
+          " solves are kept in '" + kept->folder().string() +
           "'; falciform atlas build with the same --preop, --mesh, --seed and --out goes on from there");
   if (ranks.first()) run.print();
 }

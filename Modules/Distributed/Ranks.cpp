@@ -6,7 +6,6 @@
 #include "Modules/Distributed/PetscCheck.h"
 
 namespace falciform::distributed {
-
 Ranks::Ranks() {
   check(PetscInitializeNoArguments());  // options come by PETSC_OPTIONS
   check(PetscPopSignalHandler());

@@ -55,7 +55,7 @@ TEST_F(DistributedCommand, AtlasBuildGoesOnFromItsSolvesToTheSameAtlas) {
     const std::string name = "by" + std::to_string(ranks) + ".h5";
     const Ran solved = distributed(ranks, of(name));
     ASSERT_EQ(solved.exitCode, 0) << solved.err;
-    EXPECT_THAT(solved.out, HasSubstr("8 solves are kept in"));
+    EXPECT_THAT(solved.out, HasSubstr("8 of 8 solves are kept in"));
     const Ran built = build(name);
     ASSERT_EQ(built.exitCode, 0) << built.err;
     EXPECT_THAT(built.out, HasSubstr("continued: 8 of 8 solves were done before"));
@@ -73,8 +73,11 @@ TEST_F(DistributedCommand, AtlasBuildGoesOnFromItsSolvesToTheSameAtlas) {
 }
 
 TEST_F(DistributedCommand, GoesOnWhereItStood) {
-  ASSERT_EQ(distributed(2, of("a.h5")).exitCode, 0);
-  fs::remove(folder_ / "a.h5.part/solves-0.h5");
+  std::vector<std::string> second = of("a.h5");
+  second.insert(second.end(), {"--shard", "1/2"});
+  const Ran shard = distributed(2, second);
+  ASSERT_EQ(shard.exitCode, 0) << shard.err;
+  EXPECT_THAT(shard.out, HasSubstr("3 of 8 solves are kept in"));
   const Ran again = distributed(2, of("a.h5"));
   ASSERT_EQ(again.exitCode, 0) << again.err;
   EXPECT_THAT(again.out, HasSubstr("solve 1 of 8"));
@@ -96,6 +99,9 @@ TEST_F(DistributedCommand, MistakesAreToldOnceByWhicheverRanks) {
   std::vector<std::string> hasty = of("a.h5");
   hasty.insert(hasty.end(), {"--max-iterations", "2"});
   refused(hasty, "within 2 iterations");
+  std::vector<std::string> shard = of("a.h5");
+  shard.insert(shard.end(), {"--shard", "2/2"});
+  refused(shard, "--shard is 2/2");
 }
 
 }  // namespace
