@@ -8,6 +8,7 @@
 
 #include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Biomechanics/SupportResponse.h"
+#include "Logic/Biomechanics/SupportTemplates.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Testing/Benchmarks/Stopwatch.h"
 
@@ -73,5 +74,39 @@ int main(int argc, char** argv) {
   line("slider: distance and turn, with min det J", timed([&](int i) {
          if (!(response.at({0, 0, 1.0 + i}, i).largestMm > 0)) std::abort();
        }));
+  // What holds the liver known and eliminated beforehand, packing anywhere on the undersides: only that is a
+  // hypothesis.
+  CandidateSupports candidates;
+  candidates.sliding = model->sites.leftUnderside;
+  candidates.sliding.insert(candidates.sliding.end(), model->sites.rightUnderside.begin(),
+                            model->sites.rightUnderside.end());
+  candidates.held = lyingOnItsBack(model->sites);
+  const SupportSolver solver(model->liver.mesh, {Material{}}, candidates);
+  const auto packing = [&](int i) {
+    return SupportHypothesis{
+        .supports = {{.name = "pack",
+                      .kind = SupportKind::Pushed,
+                      .faces = packingSite(model->sites, places[static_cast<std::size_t>(i)], 30),
+                      .pushMm = 20}}};
+  };
+  std::vector<SupportHypothesis> all;
+  for (int i = 0; i <= 20; ++i) all.push_back(packing(i));
+  std::printf(
+      "\n| new hypothesis, supports held beforehand (%ld candidate directions): all nodes | median ms | "
+      "worst ms |\n"
+      "|---|---|---|\n",
+      static_cast<long>(solver.candidateDirections()));
+  line("packing elsewhere", timed([&](int i) {
+         if (!solver.solve(all[static_cast<std::size_t>(i)]).allFinite()) std::abort();
+       }));
+  line("20 packings at once, each", [&] {
+    Times times = timed([&](int) {
+      if (solver.solve(std::vector<SupportHypothesis>(all.begin(), all.begin() + 20)).size() != 20)
+        std::abort();
+    });
+    times.medianMs /= 20;
+    times.worstMs /= 20;
+    return times;
+  }());
   return 0;
 }
