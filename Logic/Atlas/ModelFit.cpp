@@ -141,43 +141,51 @@ void ModelFit::vertexRow(int vertex, const Vector3d& along, double* row) const {
   Eigen::Map<VectorXd>(row, loads.loads()) = sum.cast<double>();
 }
 
-void ModelFit::planeRow(std::size_t j, const Vector3d& centre, double weight, double* row) const {
+/// One equation: scan point j meets the surface at `vertex`, along a direction.
+void ModelFit::meetingRow(std::size_t j, int vertex, const Vector3d& along, const Vector3d& centre,
+                          double weight, double* row) const {
   const Index loads = model_.responses().loads();
-  const int vertex = found_[j].vertex;
-  const Vector3d normal = normals_.row(vertex).transpose();
   const Vector3d y = pose_ * Vector3d(points_.row(static_cast<Index>(j)).transpose());
-  vertexRow(vertex, normal, row);
-  Eigen::Map<Vector3d>(row + loads) = -(y - centre).cross(normal);
-  Eigen::Map<Vector3d>(row + loads + 3) = -normal;
-  row[loads + 6] = normal.dot(y - Vector3d(model_.fine().points.row(vertex).transpose()));
+  vertexRow(vertex, along, row);
+  Eigen::Map<Vector3d>(row + loads) = -(y - centre).cross(along);
+  Eigen::Map<Vector3d>(row + loads + 3) = -along;
+  row[loads + 6] = along.dot(y - Vector3d(model_.fine().points.row(vertex).transpose()));
   Eigen::Map<VectorXd>(row, loads + 7) *= weight;
 }
 
-/// Builds the normal equations from columns of rows; the last entry of each is its right-hand side.
+/// Takes equations, a column each, into the normal equations; the last entry of a column is its right-hand
+/// side.
+void ModelFit::addRows(Eigen::MatrixXd& rows) {
+  const Index loads = model_.responses().loads(), size = loads + 6;
+  rows.topRows(loads).array().colwise() *= perLoad().array();
+  const Eigen::MatrixXd products = outerSquare(rows);
+  normal_ += products.topLeftCorner(size, size);
+  right_ += products.col(size).head(size);
+}
+
+/// Builds the normal equations and solves them.
 double ModelFit::step(std::size_t count) {
   correspond(count);
   if (rmsMm_ > 0) noiseMm_ = std::max(settings_.noiseFloorMm, rmsMm_);
-  const Index loads = model_.responses().loads(), size = loads + 6;
+  const Index size = model_.responses().loads() + 6;
   const double perPoint = std::sqrt(settings_.effectiveSamples / static_cast<double>(count)) / noiseMm_;
   Vector3d centre = pose_ * Vector3d(points_.topRows(static_cast<Index>(count)).colwise().mean().transpose());
   Eigen::MatrixXd rows(size + 1, static_cast<Index>(count));
   forEachChunk(count, 32, [&](std::size_t first, std::size_t last) {
     for (std::size_t j = first; j < last; ++j)
-      planeRow(j, centre, std::sqrt(weights_[j]) * perPoint, rows.col(static_cast<Index>(j)).data());
+      meetingRow(j, found_[j].vertex, normals_.row(found_[j].vertex).transpose(), centre,
+                 std::sqrt(weights_[j]) * perPoint, rows.col(static_cast<Index>(j)).data());
   });
-  const VectorXd whitening = perLoad();
-  rows.topRows(loads).array().colwise() *= whitening.array();
-  const Eigen::MatrixXd products = outerSquare(rows);
-  normal_ = products.topLeftCorner(size, size);
-  right_ = products.col(size).head(size);
+  normal_.setZero(size, size);
+  right_.setZero(size);
+  addRows(rows);
   addPatches(count, centre, squared(perPoint) * settings_.patchWeight);
   return solve(centre);
 }
 
 /// Painted scan points are pulled to the nearest place of the same patch, along all three axes.
 void ModelFit::addPatches(std::size_t count, const Vector3d& centre, double weight) {
-  if (patches_.empty()) return;
-  const Index loads = model_.responses().loads(), size = loads + 6;
+  const Index size = model_.responses().loads() + 6;
   for (const auto& [label, tree] : patches_) {
     std::vector<std::size_t> members;
     std::vector<Neighbour> nearest;
@@ -194,24 +202,13 @@ void ModelFit::addPatches(std::size_t count, const Vector3d& centre, double weig
     Eigen::MatrixXd rows(size + 1, static_cast<Index>(3 * members.size()));
     forEachChunk(members.size(), 16, [&](std::size_t first, std::size_t last) {
       for (std::size_t m = first; m < last; ++m) {
-        const Vector3d y = pose_ * Vector3d(points_.row(static_cast<Index>(members[m])).transpose());
-        const int vertex = nearest[m].index;
         const double share = std::sqrt(weight * std::exp(-squared(distances[m] / width)));
-        for (Index a = 0; a < 3; ++a) {
-          double* row = rows.col(static_cast<Index>(3 * m) + a).data();
-          const Vector3d axis = Vector3d::Unit(a);
-          vertexRow(vertex, axis, row);
-          Eigen::Map<Vector3d>(row + loads) = -(y - centre).cross(axis);
-          Eigen::Map<Vector3d>(row + loads + 3) = -axis;
-          row[size] = y[a] - model_.fine().points(vertex, a);
-          Eigen::Map<VectorXd>(row, size + 1) *= share;
-        }
+        for (Index a = 0; a < 3; ++a)
+          meetingRow(members[m], nearest[m].index, Vector3d::Unit(a), centre, share,
+                     rows.col(static_cast<Index>(3 * m) + a).data());
       }
     });
-    rows.topRows(loads).array().colwise() *= perLoad().array();
-    const Eigen::MatrixXd products = outerSquare(rows);
-    normal_ += products.topLeftCorner(size, size);
-    right_ += products.col(size).head(size);
+    addRows(rows);
   }
 }
 

@@ -28,7 +28,9 @@ class ModelFit {
   void correspond(std::size_t count);
   double step(std::size_t count);
   void addPatches(std::size_t count, const Vector3d& centre, double weight);
-  void planeRow(std::size_t j, const Vector3d& centre, double weight, double* row) const;
+  void meetingRow(std::size_t j, int vertex, const Vector3d& along, const Vector3d& centre, double weight,
+                  double* row) const;
+  void addRows(Eigen::MatrixXd& rows);
   void vertexRow(int vertex, const Vector3d& along, double* row) const;
   double solve(const Vector3d& centre);
   void learn(const Eigen::MatrixXd& covariance, const VectorXd& whitened);

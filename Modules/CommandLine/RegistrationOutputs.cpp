@@ -47,12 +47,18 @@ StartPose startOf(const ParsedArguments& arguments, RegistrationSettings& settin
   return resolveStart(init, settings, preopLandmarks, scanLandmarks, run);
 }
 
+std::vector<std::string> poseFiles() {
+  return {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json"};
+}
+
 std::vector<std::string> registrationFiles() {
-  return {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json", "preop_on_scan.vtp"};
+  std::vector<std::string> files = poseFiles();
+  files.emplace_back("preop_on_scan.vtp");
+  return files;
 }
 
 void writePose(const Isometry3d& scanFromPreop, const std::filesystem::path& folder, CommandRun& run) {
-  for (const char* name : {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json"})
+  for (const std::string& name : poseFiles())
     writeTransform(run.outputs.staged(folder / name), scanFromPreop, kScanFromPreopInWords,
                    Overwrite::Replace);
 }

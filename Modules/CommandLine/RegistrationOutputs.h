@@ -29,6 +29,7 @@ void declarePreset(Syntax& syntax, const std::string& group);
 void writeRegistration(const Surface& preop, const Surface& scan, const RegistrationResult& result,
                        const std::filesystem::path& folder, CommandRun& run);
 /// scan_from_preop.tfm, .txt and .json.
+[[nodiscard]] std::vector<std::string> poseFiles();
 void writePose(const Isometry3d& scanFromPreop, const std::filesystem::path& folder, CommandRun& run);
 void describeFrames(CommandRun& run);
 /// The figures on stdout.

@@ -107,8 +107,7 @@ VectorXd surfaceExpectation(const UpdateModel& model, const UpdateResult& update
 void execute(const ParsedArguments& arguments, CommandRun& run) {
   const fs::path folder = arguments.path("out"), sidecar = folder / "update.json";
   run.outputs.announce(folder / "updated.vtp");
-  for (const char* name : {"scan_from_preop.tfm", "scan_from_preop.txt", "scan_from_preop.json"})
-    run.outputs.announce(folder / name);
+  for (const std::string& name : poseFiles()) run.outputs.announce(folder / name);
   if (arguments.has("targets")) run.outputs.announce(folder / "targets_updated.mrk.json");
   run.outputs.announce(sidecar);
   const fs::path picture = arguments.path("picture");
