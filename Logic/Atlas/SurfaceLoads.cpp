@@ -14,15 +14,6 @@ namespace {
 
 constexpr std::size_t kTogether = 48;  ///< loads solved in one pass over the factor
 
-Points faceCentres(const TetrahedralMesh& mesh, const BoundaryFaces& faces) {
-  Points centres(faces.size(), 3);
-  for (Index f = 0; f < faces.size(); ++f)
-    centres.row(f) = (mesh.points.row(faces.nodes(f, 0)) + mesh.points.row(faces.nodes(f, 1)) +
-                      mesh.points.row(faces.nodes(f, 2))) /
-                     3;
-  return centres;
-}
-
 /// Farthest-point sampling, from the first on.
 Points spread(const Points& places, int count) {
   if (count < 1 || count > places.rows())
@@ -33,7 +24,8 @@ Points spread(const Points& places, int count) {
   Index next = 0;
   for (int c = 0; c < count; ++c) {
     chosen.row(c) = places.row(next);
-    nearest = nearest.cwiseMin((places.rowwise() - chosen.row(c)).rowwise().squaredNorm());
+    for (Index p = 0; p < places.rows(); ++p)
+      nearest[p] = std::min(nearest[p], (places.row(p) - chosen.row(c)).squaredNorm());
     nearest.maxCoeff(&next);
   }
   return chosen;

@@ -78,6 +78,15 @@ BoundaryFaces boundaryFaces(const TetrahedralMesh& mesh) {
   return faces;
 }
 
+Points faceCentres(const TetrahedralMesh& mesh, const BoundaryFaces& faces) {
+  Points centres(faces.size(), 3);
+  for (Index f = 0; f < faces.size(); ++f)
+    centres.row(f) = (mesh.points.row(faces.nodes(f, 0)) + mesh.points.row(faces.nodes(f, 1)) +
+                      mesh.points.row(faces.nodes(f, 2))) /
+                     3;
+  return centres;
+}
+
 double faceShare(bool quadratic, int k) { return quadratic == (k >= 3) ? 1.0 / 3 : 0.0; }
 
 BoundarySurface boundarySurface(const TetrahedralMesh& mesh, const BoundaryFaces& faces) {

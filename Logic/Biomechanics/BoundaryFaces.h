@@ -23,6 +23,9 @@ struct BoundaryFaces {
 /// share one lie on the same side of it.
 [[nodiscard]] BoundaryFaces boundaryFaces(const TetrahedralMesh& mesh);
 
+/// F x 3, mm: the middle of each face's corners.
+[[nodiscard]] Points faceCentres(const TetrahedralMesh& mesh, const BoundaryFaces& faces);
+
 /// The weight of a face's area that its node `k` of 0..5 carries, the integral of N_k over the face by its
 /// area: a third for a linear mesh's corners, 0 for a quadratic one's corners and a third for its edge nodes.
 [[nodiscard]] double faceShare(bool quadratic, int k);

@@ -139,11 +139,7 @@ SupportSites findSupportSites(const Surface& preop, const TetrahedralMesh& mesh,
         "groove for a better place");
   sites.boundary = boundarySurface(mesh, faces);
   sites.areasMm2 = faces.areaVectors.rowwise().norm();
-  sites.centres.resize(faces.size(), 3);
-  for (Index f = 0; f < faces.size(); ++f)
-    sites.centres.row(f) = (mesh.points.row(faces.nodes(f, 0)) + mesh.points.row(faces.nodes(f, 1)) +
-                            mesh.points.row(faces.nodes(f, 2))) /
-                           3;
+  sites.centres = faceCentres(mesh, faces);
 
   const Outlook look = outlook(sites, faces);
   const Adjacency facesOfVertex =

@@ -2,6 +2,7 @@
 #include "Modules/CommandLine/AtlasFigures.h"
 #include "Modules/CommandLine/AtlasPicture.h"
 #include "Modules/CommandLine/Commands.h"
+#include "Modules/CommandLine/PictureTiles.h"
 
 namespace falciform::commandline {
 
@@ -37,9 +38,7 @@ void declare(Syntax& syntax) {
 }
 
 void execute(const ParsedArguments& arguments, CommandRun& run) {
-  const std::filesystem::path file = arguments.path("FILE"), picture = arguments.path("picture");
-  if (!picture.empty() && picture.extension() != ".png")
-    throw InputError("--picture is '" + picture.string() + "'; pictures are written as .png");
+  const std::filesystem::path file = arguments.path("FILE"), picture = picturePath(arguments);
   if (arguments.has("show") && picture.empty())
     throw InputError("--show is given without --picture; name the picture to draw, .png");
   if (!picture.empty()) run.outputs.announce(picture);

@@ -3,6 +3,7 @@
 #include "Modules/CommandLine/Commands.h"
 #include "Modules/CommandLine/Figures.h"
 #include "Modules/CommandLine/MeshPicture.h"
+#include "Modules/CommandLine/PictureTiles.h"
 
 namespace falciform::commandline {
 
@@ -52,11 +53,10 @@ std::vector<std::filesystem::path> filesIn(const std::string& list) {
 }
 
 void execute(const ParsedArguments& arguments, CommandRun& run) {
-  const std::filesystem::path out = arguments.path("out"), picture = arguments.path("picture");
+  const std::filesystem::path out = arguments.path("out");
   if (out.extension() != ".vtu")
     throw InputError("--out is '" + out.string() + "'; a tetrahedral mesh is written as .vtu");
-  if (!picture.empty() && picture.extension() != ".png")
-    throw InputError("--picture is '" + picture.string() + "'; pictures are written as .png");
+  const std::filesystem::path picture = picturePath(arguments);
   run.outputs.announce(out);
   run.outputs.announce(sidecarOf(out));
   if (!picture.empty()) run.outputs.announce(picture);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Logic/Core/Errors.h"
 #include "Widgets/Rendering/OffscreenWindow.h"
 
 namespace falciform::commandline {
@@ -10,6 +11,13 @@ namespace {
 constexpr int kTileWidth = 560, kTileHeight = 440;
 
 }  // namespace
+
+std::filesystem::path picturePath(const ParsedArguments& arguments) {
+  const std::filesystem::path picture = arguments.path("picture");
+  if (!picture.empty() && picture.extension() != ".png")
+    throw InputError("--picture is '" + picture.string() + "'; pictures are written as .png");
+  return picture;
+}
 
 std::unique_ptr<Scene> titledScene(const std::string& title, TextPlace place) {
   SceneStyle style;

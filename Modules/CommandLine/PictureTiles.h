@@ -1,14 +1,19 @@
 #pragma once
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "Modules/CommandLine/ParsedArguments.h"
 #include "Widgets/Rendering/CameraViews.h"
 #include "Widgets/Rendering/RenderedImage.h"
 #include "Widgets/Rendering/Scene.h"
 #include "Widgets/Rendering/TextPresenter.h"
 
 namespace falciform::commandline {
+
+/// --picture, empty where it is not given. Throws InputError if it is no .png.
+[[nodiscard]] std::filesystem::path picturePath(const ParsedArguments& arguments);
 
 // Sheets of pictures of one size, drawn without a display.
 

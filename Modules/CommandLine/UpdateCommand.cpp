@@ -8,6 +8,7 @@
 #include "Modules/CommandLine/Commands.h"
 #include "Modules/CommandLine/Figures.h"
 #include "Modules/CommandLine/LiverInput.h"
+#include "Modules/CommandLine/PictureTiles.h"
 #include "Modules/CommandLine/RegistrationOutputs.h"
 #include "Modules/CommandLine/TargetError.h"
 #include "Modules/CommandLine/UpdatePicture.h"
@@ -110,9 +111,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   for (const std::string& name : poseFiles()) run.outputs.announce(folder / name);
   if (arguments.has("targets")) run.outputs.announce(folder / "targets_updated.mrk.json");
   run.outputs.announce(sidecar);
-  const fs::path picture = arguments.path("picture");
-  if (!picture.empty() && picture.extension() != ".png")
-    throw InputError("--picture is '" + picture.string() + "'; pictures are written as .png");
+  const fs::path picture = picturePath(arguments);
   if (!picture.empty()) run.outputs.announce(picture);
   if (arguments.has("truth-targets") && !arguments.has("targets"))
     throw InputError("--truth-targets is given without --targets; give both or none");
