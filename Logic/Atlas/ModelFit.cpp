@@ -262,32 +262,8 @@ void ModelFit::learn(const Eigen::MatrixXd& covariance, const VectorXd& whitened
   bendMm_ = std::clamp(std::sqrt(whitened.squaredNorm() / known_), 0.2, settings_.maxBendMm);
 }
 
-UpdateResult ModelFit::run(const Progress& progress) {
-  const std::size_t all = static_cast<std::size_t>(points_.rows());
-  std::size_t count = std::min<std::size_t>(all, kCoarsePoints);
-  UpdateResult result;
-  refreshSeen();
-  for (int iteration = 1; iteration <= settings_.maxIterations; ++iteration) {
-    progress.report(static_cast<double>(iteration) / (settings_.maxIterations + 1), "Fitting the model");
-    if (iteration == 6 || iteration == 11) refreshSeen();
-    const double change = step(count);
-    result.iterations = iteration;
-    refreshSurface();
-    sinceTreesMm_ += change;
-    if (sinceTreesMm_ > kStaleMm) refreshTrees();
-    if (iteration < 12) continue;
-    if (count < all && (change < 5 * kSettledMm || iteration > settings_.maxIterations - 8)) {
-      count = all;
-      continue;
-    }
-    if (count == all && change < kSettledMm) {
-      result.converged = true;
-      break;
-    }
-  }
-  correspond(all);
-  result.stopReason =
-      result.converged ? "the fitted surface has settled" : "the largest number of iterations was reached";
+/// All that follows from where the fit stands.
+void ModelFit::finish(UpdateResult& result) const {
   result.scanFromPreop = pose_.inverse();
   result.displacements = nodal_;
   result.coefficients = coefficients_;
@@ -306,6 +282,44 @@ UpdateResult ModelFit::run(const Progress& progress) {
   if (!(result.minDetJ > 0))
     result.warnings.push_back(
         "the fitted deformation folds tissue over itself somewhere: do not trust it there");
+}
+
+UpdateResult ModelFit::run(const Progress& progress, const UpdateObserver& observer) {
+  const std::size_t all = static_cast<std::size_t>(points_.rows());
+  std::size_t count = std::min<std::size_t>(all, kCoarsePoints);
+  UpdateResult result;
+  result.stopReason = "the largest number of iterations was reached";
+  refreshSeen();
+  for (int iteration = 1; iteration <= settings_.maxIterations; ++iteration) {
+    progress.report(static_cast<double>(iteration) / (settings_.maxIterations + 1), "Fitting the model");
+    if (iteration == 6 || iteration == 11) refreshSeen();
+    const double change = step(count);
+    result.iterations = iteration;
+    refreshSurface();
+    const auto soFar = [&] {
+      UpdateResult now = result;
+      finish(now);
+      return now;
+    };
+    if (observer && !observer({iteration, rmsMm_, bendMm_, change, soFar})) {
+      result.stopReason = "stopped by the user";
+      break;
+    }
+    sinceTreesMm_ += change;
+    if (sinceTreesMm_ > kStaleMm) refreshTrees();
+    if (iteration < 12) continue;
+    if (count < all && (change < 5 * kSettledMm || iteration > settings_.maxIterations - 8)) {
+      count = all;
+      continue;
+    }
+    if (count == all && change < kSettledMm) {
+      result.converged = true;
+      result.stopReason = "the fitted surface has settled";
+      break;
+    }
+  }
+  correspond(all);
+  finish(result);
   return result;
 }
 

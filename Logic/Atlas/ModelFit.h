@@ -13,7 +13,7 @@ class ModelFit {
   ModelFit(const UpdateModel& model, const Surface& scan, const Isometry3d& scanFromPreopStart,
            const UpdateSettings& settings, std::uint64_t seed);
 
-  UpdateResult run(const Progress& progress);
+  UpdateResult run(const Progress& progress, const UpdateObserver& observer);
 
  private:
   struct Correspondence {
@@ -35,6 +35,7 @@ class ModelFit {
   double solve(const Vector3d& centre);
   void learn(const Eigen::MatrixXd& covariance, const VectorXd& whitened);
   [[nodiscard]] VectorXd perLoad() const;
+  void finish(UpdateResult& result) const;
 
   const UpdateModel& model_;
   const UpdateSettings& settings_;

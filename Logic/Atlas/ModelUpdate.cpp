@@ -22,11 +22,12 @@ UpdateModel::UpdateModel(const Surface& preop, LoadResponses responses)
 }
 
 UpdateResult updateModel(const UpdateModel& model, const Surface& scan, const Isometry3d& scanFromPreopStart,
-                         const UpdateSettings& settings, std::uint64_t seed, const Progress& progress) {
+                         const UpdateSettings& settings, std::uint64_t seed, const Progress& progress,
+                         const UpdateObserver& observer) {
   checkSettings(settings);
   const auto began = std::chrono::steady_clock::now();
   keepBlasSingleThreaded();
-  UpdateResult result = ModelFit(model, scan, scanFromPreopStart, settings, seed).run(progress);
+  UpdateResult result = ModelFit(model, scan, scanFromPreopStart, settings, seed).run(progress, observer);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return result;
 }

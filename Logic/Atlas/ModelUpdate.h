@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,19 @@ struct UpdateResult {
   double seconds = 0;
 };
 
+/// One iteration of a model update, for curves, and for whoever wants to end it here.
+struct UpdateStep {
+  int iteration = 0;                     ///< 1-based
+  double rmsMm = 0;                      ///< as in UpdateResult, before the step
+  double bendMm = 0;                     ///< as learnt so far
+  double changeMm = 0;                   ///< RMS change of the fitted surface under the scan by this step
+  std::function<UpdateResult()> result;  ///< as it stands after the step; valid during the call only
+};
+
+/// Called after each iteration, on the thread that updates; false ends the update with the result as it
+/// stands.
+using UpdateObserver = std::function<bool(const UpdateStep&)>;
+
 /// Fits rigid motion and surface loads jointly to a scan (METHODS 5.3): maximum a posteriori, by Gauss-Newton
 /// on robust point-to-plane distances to the deformed surface and on pulls between patches of one label;
 /// loads are independent beforehand, small where the scan sees the surface, since nothing presses there; how
@@ -63,7 +77,7 @@ struct UpdateResult {
 [[nodiscard]] UpdateResult updateModel(const UpdateModel& model, const Surface& scan,
                                        const Isometry3d& scanFromPreopStart,
                                        const UpdateSettings& settings = {}, std::uint64_t seed = 1,
-                                       const Progress& progress = {});
+                                       const Progress& progress = {}, const UpdateObserver& observer = {});
 
 /// Pre-op places (K x 3, mm) to where they are now, scan mm: targets, vessels, tumours. Beyond the mesh
 /// displacements go on linearly.
