@@ -1,0 +1,134 @@
+#include "Modules/CommandLine/UpdateOutputs.h"
+
+#include "Logic/Atlas/UpdatedPlaces.h"
+#include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/SurfaceFiles.h"
+#include "Modules/CommandLine/Figures.h"
+#include "Modules/CommandLine/PictureTiles.h"
+#include "Modules/CommandLine/RegistrationOutputs.h"
+#include "Modules/CommandLine/TargetError.h"
+#include "Modules/CommandLine/UpdatePicture.h"
+
+namespace falciform::commandline {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The surface with its points where they are now.
+falciform::Surface movedSurface(const UpdatedLiver& liver, falciform::Surface surface) {
+  const Points moved = scanFromPreop(liver.liver.mesh, liver.update, surface.points);
+  surface.arrays[kDisplacement] =
+      (moved - transformed(surface.points, liver.update.scanFromPreop)).rowwise().norm();
+  surface.points = moved;
+  surface.normals.resize(0, 3);
+  surface.frame = liver.input.scan.frame;
+  return surface;
+}
+
+/// Expected errors of the mesh's nodes carried to the surface: there are thrice as many surface points as
+/// nodes.
+VectorXd surfaceExpectation(const UpdatedLiver& liver) {
+  const TetrahedralMesh& mesh = liver.liver.mesh;
+  const VectorXd nodes = expectedErrorMm(*liver.model, liver.update, mesh.points);
+  return MeshPlaces(mesh, liver.liver.surface.points).interpolate(nodes).col(0).cwiseMax(0);
+}
+
+void writeTargets(const UpdatedLiver& liver, const fs::path& file) {
+  Landmarks updated = liver.input.targets;
+  updated.frame = liver.input.scan.frame;
+  falciform::Points places(static_cast<Index>(updated.points.size()), 3);
+  for (Index i = 0; i < places.rows(); ++i)
+    places.row(i) = updated.points[static_cast<std::size_t>(i)].position.transpose();
+  const falciform::Points now = scanFromPreop(liver.liver.mesh, liver.update, places);
+  for (Index i = 0; i < places.rows(); ++i)
+    updated.points[static_cast<std::size_t>(i)].position = now.row(i).transpose();
+  writeLandmarks(file, updated, Overwrite::Replace);
+}
+
+void tellTargetError(const UpdatedLiver& liver, CommandRun& run) {
+  RegistrationResult bent;
+  bent.scanFromPreop = liver.update.scanFromPreop;
+  bent.warp = RegistrationWarp{
+      [&](const falciform::Points& preop) { return scanFromPreop(liver.liver.mesh, liver.update, preop); },
+      liver.moved.points};
+  const TargetError error =
+      measureTargetError(liver.input.targets, liver.input.truth, bent, liver.rigid.scanFromPreop);
+  run.figures["target_error"] = toJson(error);
+  run.figures["target_error_mean_mm"] = error.meanMm;
+  run.say("target error: mean " + fixed(error.meanMm, 2) + " mm, largest " + fixed(error.maxMm, 2) +
+          " mm; by the rigid registration alone " + fixed(error.startMeanMm, 2) +
+          ", by the best rigid motion there is " + fixed(error.optimalRigidMeanMm, 2));
+}
+
+}  // namespace
+
+UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input, const RegistrationResult& rigid,
+                          const UpdateResult& update, const UpdateModel* model) {
+  UpdatedLiver updated{liver, input, rigid, update, model, {}};
+  updated.moved = movedSurface(updated, liver.surface);
+  if (model != nullptr) updated.moved.arrays[kExpectedError] = surfaceExpectation(updated);
+  return updated;
+}
+
+void announceUpdate(const ParsedArguments& arguments, CommandRun& run) {
+  const fs::path folder = arguments.path("out");
+  run.outputs.announce(folder / "updated.vtp");
+  for (const std::string& name : poseFiles()) run.outputs.announce(folder / name);
+  if (arguments.has("targets")) run.outputs.announce(folder / "targets_updated.mrk.json");
+  run.outputs.announce(folder / "update.json");
+  const fs::path picture = picturePath(arguments);
+  if (!picture.empty()) run.outputs.announce(picture);
+}
+
+void announceStructures(const UpdateInput& input, const fs::path& folder, CommandRun& run) {
+  for (const UpdateInput::Structure& structure : input.structures)
+    run.outputs.announce(folder / structure.file);
+}
+
+void writeUpdate(const UpdatedLiver& liver, const ParsedArguments& arguments, CommandRun& run) {
+  const fs::path folder = arguments.path("out"), picture = picturePath(arguments);
+  writeSurface(run.outputs.staged(folder / "updated.vtp"), liver.moved, Overwrite::Replace);
+  if (!picture.empty())
+    saveUpdatePicture(liver.liver.surface, liver.moved, liver.input.scan, liver.rigid.scanFromPreop,
+                      run.outputs.staged(picture), Overwrite::Replace);
+  for (const UpdateInput::Structure& structure : liver.input.structures)
+    writeSurface(run.outputs.staged(folder / structure.file), movedSurface(liver, structure.surface),
+                 Overwrite::Replace);
+  writePose(liver.update.scanFromPreop, folder, run);
+  if (!liver.input.targets.points.empty())
+    writeTargets(liver, run.outputs.staged(folder / "targets_updated.mrk.json"));
+  run.frames["updated.vtp"] = "the pre-op surface where it is now, in the scan's frame, mm";
+  run.frames["scan_from_preop"] = kScanFromPreopInWords;
+}
+
+void tellUpdate(const UpdatedLiver& liver, CommandRun& run) {
+  const UpdateResult& update = liver.update;
+  run.figures = {{"rms_mm", update.rmsMm},
+                 {"noise_mm", update.noiseMm},
+                 {"bending_mm", update.bendMm},
+                 {"largest_displacement_mm", update.largestMm},
+                 {"loads_determined", update.effectiveParameters},
+                 {"min_det_j", update.minDetJ},
+                 {"iterations", update.iterations},
+                 {"converged", update.converged},
+                 {"stop_reason", update.stopReason},
+                 {"update_s", update.seconds}};
+  run.say("fit (not target error): RMS " + fixed(update.rmsMm, 2) + " mm; " + update.stopReason + " after " +
+          std::to_string(update.iterations) + " iterations, " + fixed(update.seconds, 2) + " s");
+  run.say("largest displacement beside the rigid motion " + fixed(update.largestMm, 1) +
+          " mm; smallest local ratio of volumes " + fixed(update.minDetJ, 2));
+  if (liver.model != nullptr) {
+    const double expected = liver.moved.arrays.at(kExpectedError).mean(),
+                 before = liver.rigid.expectedErrorMeanMm;
+    run.figures["expected_error_mean_mm"] = expected;
+    if (!update.converged && before > 0 && expected > before)
+      run.warn("the update expects to err by " + fixed(expected, 1) + " mm, the rigid registration by " +
+               fixed(before, 1) +
+               " mm: the scan does not tell this bending; stay with the registration, or scan more of the "
+               "surface");
+  }
+  if (!liver.input.truth.points.empty()) tellTargetError(liver, run);
+}
+
+}  // namespace falciform::commandline

@@ -1,0 +1,41 @@
+#pragma once
+#include <filesystem>
+
+#include "Logic/Atlas/ModelUpdate.h"
+#include "Logic/Core/Results.h"
+#include "Modules/CommandLine/LiverInput.h"
+#include "Modules/CommandLine/UpdateInput.h"
+
+namespace falciform::commandline {
+
+/// All that an update's outputs are made of, whatever method it was.
+struct UpdatedLiver {
+  const LiverInput& liver;
+  const UpdateInput& input;
+  const RegistrationResult& rigid;  ///< what the update began from
+  const UpdateResult& update;       ///< of liver.mesh
+  const UpdateModel* model;         ///< of a method that expects an error, else nullptr
+  falciform::Surface moved;  ///< the pre-op surface where it is now, with kDisplacement and, where there is a
+                             ///< model, kExpectedError
+};
+
+inline constexpr char kExpectedError[] = "expected_error_mm";
+
+/// Moves the surface and works out its expected error.
+[[nodiscard]] UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input,
+                                        const RegistrationResult& rigid, const UpdateResult& update,
+                                        const UpdateModel* model);
+
+/// Says which files may come, before any computation.
+void announceUpdate(const ParsedArguments& arguments, CommandRun& run);
+/// The same for what is known once the input is read.
+void announceStructures(const UpdateInput& input, const std::filesystem::path& folder, CommandRun& run);
+
+/// Writes them: updated.vtp, structures, targets, pose; --picture.
+void writeUpdate(const UpdatedLiver& updated, const ParsedArguments& arguments, CommandRun& run);
+
+/// The update's figures, on stdout and in the sidecar; target error where there is truth; warns where the
+/// update expects to be worse than what it began from.
+void tellUpdate(const UpdatedLiver& updated, CommandRun& run);
+
+}  // namespace falciform::commandline
