@@ -32,5 +32,8 @@ struct Volume {
 
 using LabelMap = Volume<std::uint16_t>;  ///< 0 is background
 using Image = Volume<float>;             ///< CT in Hounsfield units
+/// Displacements in mm, LPS: what lies at a voxel's centre comes from there plus the vector (the resampling
+/// direction).
+using DisplacementGrid = Volume<Eigen::Vector3f>;
 
 }  // namespace falciform
