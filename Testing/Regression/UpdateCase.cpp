@@ -21,17 +21,19 @@ Points pointsFrom(const nlohmann::json& rows) {
 
 }  // namespace
 
-std::vector<std::string> updateCaseNames() {
+std::filesystem::path updateCasesFolder() { return realData() / "update"; }
+
+std::vector<std::string> updateCaseNames(const std::filesystem::path& cases) {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(realData() / "update"))
+  for (const auto& entry : std::filesystem::directory_iterator(cases))
     if (std::filesystem::exists(entry.path() / "truth.json"))
       names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
 }
 
-UpdateCase readUpdateCase(const std::string& name) {
-  const std::filesystem::path folder = realData() / "update" / name;
+UpdateCase readUpdateCase(const std::string& name, const std::filesystem::path& cases) {
+  const std::filesystem::path folder = cases / name;
   UpdateCase read;
   read.name = name;
   read.preop = readSurface(folder / "preop.vtp").value;

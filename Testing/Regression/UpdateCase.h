@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -6,7 +7,8 @@
 
 namespace falciform::test {
 
-/// A real liver deformed with known truth: a folder of `update/` in the real cases.
+/// A real liver deformed with known truth: a folder of `update/` in the real cases, or one in the same layout
+/// made by `./run bench make-truths`.
 struct UpdateCase {
   std::string name;
   Surface preop;              ///< LPS mm, patches painted
@@ -17,8 +19,12 @@ struct UpdateCase {
   double coverage = 0;
 };
 
-/// Names of the cases, alphabetically.
-[[nodiscard]] std::vector<std::string> updateCaseNames();
-[[nodiscard]] UpdateCase readUpdateCase(const std::string& name);
+/// `update/` in the real cases.
+[[nodiscard]] std::filesystem::path updateCasesFolder();
+/// Names of the cases in a folder of cases, alphabetically.
+[[nodiscard]] std::vector<std::string> updateCaseNames(
+    const std::filesystem::path& cases = updateCasesFolder());
+[[nodiscard]] UpdateCase readUpdateCase(const std::string& name,
+                                        const std::filesystem::path& cases = updateCasesFolder());
 
 }  // namespace falciform::test

@@ -81,11 +81,17 @@ void writeElements(std::ostream& out, const TetrahedralMesh& mesh, std::size_t m
   }
 }
 
-void writeMaterials(std::ostream& out, const std::vector<Material>& materials) {
+void writeMaterials(std::ostream& out, const std::vector<Material>& materials, bool neoHookean) {
   for (std::size_t region = 0; region < materials.size(); ++region) {
     const Material& m = materials[region];
-    out << "*MATERIAL,NAME=M" << region << "\n*ELASTIC\n"
-        << number(m.youngsModulusMPa) << ',' << number(m.poissonsRatio) << "\n*DENSITY\n"
+    out << "*MATERIAL,NAME=M" << region << '\n';
+    if (neoHookean) {
+      const double bulk = m.youngsModulusMPa / (3 * (1 - 2 * m.poissonsRatio));
+      out << "*HYPERELASTIC,NEO HOOKE\n" << number(shearModulusMPa(m) / 2) << ',' << number(2 / bulk) << '\n';
+    } else {
+      out << "*ELASTIC\n" << number(m.youngsModulusMPa) << ',' << number(m.poissonsRatio) << '\n';
+    }
+    out << "*DENSITY\n"
         << number(m.densityKgPerM3 * 1e-12) << "\n*SOLID SECTION,ELSET=E" << region << ",MATERIAL=M" << region
         << '\n';  // t/mm3, so that mm/s2 give N
   }
@@ -148,10 +154,14 @@ std::string calculixInput(const SharedProblem& problem) {
         << number(mesh.points(n, 2)) << '\n';
   if (extraNode > mesh.nodes()) out << "*NODE\n" << extraNodes.str();
   writeElements(out, mesh, problem.body.materials.size());
-  writeMaterials(out, problem.body.materials);
-  out << equations.str() << "*STEP\n*STATIC\n*BOUNDARY\n" << values.str();
+  writeMaterials(out, problem.body.materials, problem.neoHookean);
+  // Load grows from 0 to all of it: by a fifth to begin with, then by a third at most.
+  out << equations.str()
+      << (problem.neoHookean ? "*STEP,NLGEOM,INC=200\n*STATIC\n0.2,1.,0.002,0.34\n" : "*STEP\n*STATIC\n")
+      << "*BOUNDARY\n"
+      << values.str();
   writeLoads(out, problem);
-  out << "*NODE PRINT,NSET=NALL\nU\n*END STEP\n";
+  out << "*NODE PRINT,NSET=NALL,FREQUENCY=1000000\nU\n*END STEP\n";  // the last state alone
   return out.str();
 }
 
@@ -164,7 +174,11 @@ Points solveWithCalculix(const SharedProblem& problem, const std::filesystem::pa
   const int status = std::system(command.c_str());
   Points displacements = Points::Constant(problem.body.mesh.nodes(), 3, std::nan(""));
   std::ifstream results(folder / "problem.dat");
+  bool wholeLoad = false;  // where it gives up, it may print the state of a part of the load
   for (std::string line; std::getline(results, line);) {
+    if (const std::size_t time = line.find("and time"); time != std::string::npos)
+      wholeLoad = std::abs(std::atof(line.c_str() + time + 8) - 1) < 1e-6;
+    if (!wholeLoad) continue;
     std::istringstream words(line);
     Index node = 0;
     Vector3d u;

@@ -16,6 +16,8 @@ struct SharedProblem {
   std::vector<int> pressedFaces{};            ///< *DLOAD P, of boundary faces
   double pressureMPa = 0;
   bool asNodalForces = false;  ///< *CLOAD instead of the above
+  /// Neo-Hookean of the same moduli, W = mu/2 (I1 J^(-2/3) - 3) + kappa/2 (J - 1)^2, and large displacement.
+  bool neoHookean = false;
 };
 
 /// CalculiX's executable `ccx` (Debian: calculix-ccx) on the path.
