@@ -72,15 +72,30 @@ Part checkElements(const TetrahedralMesh& mesh, const std::vector<Points>& field
   return part;
 }
 
+void needNodes(const TetrahedralMesh& mesh, const Points& field) {
+  if (field.rows() != mesh.nodes())
+    throw InputError("a deformation has " + std::to_string(field.rows()) + " displacements but the mesh " +
+                     std::to_string(mesh.nodes()) + " nodes; they must be of the same mesh");
+}
+
 }  // namespace
+
+VectorXd leastDetJ(const TetrahedralMesh& mesh, const Points& displacements) {
+  needNodes(mesh, displacements);
+  const std::vector<Points> fields{displacements};
+  const std::vector<FieldSum> sums{{{0, 1.0}}};
+  VectorXd least(mesh.size());
+  forEachChunk(static_cast<std::size_t>(mesh.size()), kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t e = first; e < last; ++e)
+      least[static_cast<Index>(e)] = checkElements(mesh, fields, sums, e, e + 1).checks.front().minDetJ;
+  });
+  return least;
+}
 
 std::vector<DeformationCheck> checkDeformations(const TetrahedralMesh& mesh,
                                                 const std::vector<Points>& fields,
                                                 const std::vector<FieldSum>& sums) {
-  for (const Points& field : fields)
-    if (field.rows() != mesh.nodes())
-      throw InputError("a deformation has " + std::to_string(field.rows()) + " displacements but the mesh " +
-                       std::to_string(mesh.nodes()) + " nodes; they must be of the same mesh");
+  for (const Points& field : fields) needNodes(mesh, field);
   const auto elements = static_cast<std::size_t>(mesh.size());
   std::vector<Part> parts((elements + kChunk - 1) / kChunk);
   forEachChunk(elements, kChunk, [&](std::size_t first, std::size_t last) {

@@ -21,8 +21,11 @@ using FieldSum = std::vector<std::pair<int, double>>;
 /// For displacements in mm (N x 3). Throws InputError where their number is not the mesh's.
 [[nodiscard]] DeformationCheck checkDeformation(const TetrahedralMesh& mesh, const Points& displacements);
 
-/// The same for many sums of few fields: gradients are formed once a field. Same bits for any number of
-/// threads.
+/// M: the smallest determinant in each element, looked at in the same places.
+[[nodiscard]] VectorXd leastDetJ(const TetrahedralMesh& mesh, const Points& displacements);
+
+/// checkDeformation for many sums of few fields: gradients are formed once a field. Same bits for any number
+/// of threads.
 [[nodiscard]] std::vector<DeformationCheck> checkDeformations(const TetrahedralMesh& mesh,
                                                               const std::vector<Points>& fields,
                                                               const std::vector<FieldSum>& sums);

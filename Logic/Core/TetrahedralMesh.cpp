@@ -10,7 +10,7 @@ double cornerVolume(const TetrahedralMesh& mesh, Index e) {
   return (corner(1) - a).cross(corner(2) - a).dot(corner(3) - a) / 6;
 }
 
-void checkMesh(const TetrahedralMesh& mesh, const std::string& what) {
+void checkMesh(const TetrahedralMesh& mesh, const std::string& what, bool mayBeFolded) {
   if (mesh.size() == 0 || mesh.nodes() == 0)
     throw InputError(what + " holds no tetrahedra; give a mesh of a solid");
   if (mesh.elements.cols() != 4 && mesh.elements.cols() != 10)
@@ -29,7 +29,7 @@ void checkMesh(const TetrahedralMesh& mesh, const std::string& what) {
     if (mesh.regionOf(e) < 0)
       throw InputError(what + ": tetrahedron " + std::to_string(e) + " has region " +
                        std::to_string(mesh.regionOf(e)) + "; regions count from 0");
-    if (!(cornerVolume(mesh, e) > 0))
+    if (!mayBeFolded && !(cornerVolume(mesh, e) > 0))
       throw InputError(what + ": tetrahedron " + std::to_string(e) + " is inverted or flat (volume " +
                        std::to_string(cornerVolume(mesh, e)) + " mm3); mesh the surface anew");
   }

@@ -25,8 +25,9 @@ struct TetrahedralMesh {
 };
 
 /// Checks shapes, index ranges, finite coordinates, region numbers and that every tetrahedron of corners has
-/// a volume above 0; throws InputError that names `what` otherwise.
-void checkMesh(const TetrahedralMesh& mesh, const std::string& what);
+/// a volume above 0 (not asked of a mesh that `mayBeFolded`: a deformed one); throws InputError that names
+/// `what` otherwise.
+void checkMesh(const TetrahedralMesh& mesh, const std::string& what, bool mayBeFolded = false);
 
 /// The volume in mm3 of element `e`'s four corners, by the scalar triple product.
 [[nodiscard]] double cornerVolume(const TetrahedralMesh& mesh, Index e);

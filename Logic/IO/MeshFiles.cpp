@@ -6,6 +6,7 @@
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
@@ -150,6 +151,19 @@ TetrahedralMesh meshOf(vtkUnstructuredGrid* grid, const std::string& name,
   return mesh;
 }
 
+void addArray(vtkFieldData* data, const std::string& name, const double* values, Index rows, int components,
+              Index needed) {
+  if (rows != needed)
+    throw InputError("the array " + name + " has " + std::to_string(rows) + " values for a mesh of " +
+                     std::to_string(needed) + "; give one each");
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(rows);
+  std::copy_n(values, rows * components, array->GetPointer(0));
+  data->AddArray(array);
+}
+
 }  // namespace
 
 Loaded<TetrahedralMesh> readMesh(const std::filesystem::path& file) {
@@ -185,9 +199,10 @@ Loaded<TetrahedralMesh> readMesh(const std::filesystem::path& file) {
   return loaded;
 }
 
-void writeMesh(const std::filesystem::path& file, const TetrahedralMesh& mesh, Overwrite overwrite) {
+void writeMesh(const std::filesystem::path& file, const TetrahedralMesh& mesh, Overwrite overwrite,
+               const MeshArrays& given) {
   checkExtension(file);
-  checkMesh(mesh, "the mesh for '" + file.filename().string() + "'");
+  checkMesh(mesh, "the mesh for '" + file.filename().string() + "'", given.mayBeFolded);
   vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
@@ -207,6 +222,10 @@ void writeMesh(const std::filesystem::path& file, const TetrahedralMesh& mesh, O
   regions->SetName(kRegion);
   for (Index e = 0; e < mesh.size(); ++e) regions->InsertNextValue(mesh.regionOf(e));
   grid->GetCellData()->AddArray(regions);
+  for (const auto& [name, values] : given.cells)
+    addArray(grid->GetCellData(), name, values.data(), values.rows(), 1, mesh.size());
+  for (const auto& [name, values] : given.nodes)
+    addArray(grid->GetPointData(), name, values.data(), values.rows(), 3, mesh.nodes());
   vtkNew<vtkStringArray> space;
   space->SetName("SPACE");
   space->InsertNextValue(mesh.frame);

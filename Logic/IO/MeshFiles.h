@@ -1,5 +1,7 @@
 #pragma once
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "Logic/Core/TetrahedralMesh.h"
 #include "Logic/IO/Loaded.h"
@@ -13,8 +15,16 @@ namespace falciform {
 /// file, one without tetrahedra, and inverted ones.
 [[nodiscard]] Loaded<TetrahedralMesh> readMesh(const std::filesystem::path& file);
 
+/// What a result says of a mesh, by name with the unit in it; written beside `Region`, not read back.
+struct MeshArrays {
+  std::map<std::string, VectorXd> cells;  ///< one value an element
+  std::map<std::string, Points> nodes;    ///< one vector a node
+  bool mayBeFolded = false;               ///< a deformed mesh: elements may be turned inside out
+};
+
 /// Writes VTU with `Region` and the space tag; written whole or not at all. Throws InputError for another
-/// extension and for a damaged mesh.
-void writeMesh(const std::filesystem::path& file, const TetrahedralMesh& mesh, Overwrite overwrite);
+/// extension, for a damaged mesh and for arrays of another length.
+void writeMesh(const std::filesystem::path& file, const TetrahedralMesh& mesh, Overwrite overwrite,
+               const MeshArrays& arrays = {});
 
 }  // namespace falciform

@@ -17,4 +17,8 @@ namespace falciform {
 template <class T>
 void writeNifti(const std::filesystem::path& file, const Volume<T>& volume, bool deflated);
 
+/// The same for displacements: intent 1006 (displacement vectors), five dimensions, all first components,
+/// then all second, then all third; vectors RAS.
+void writeNiftiDisplacements(const std::filesystem::path& file, const DisplacementGrid& grid, bool deflated);
+
 }  // namespace falciform

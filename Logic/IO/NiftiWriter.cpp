@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <type_traits>
+#include <vector>
 
 #include "Logic/IO/Deflate.h"
 #include "Logic/IO/NiftiFile.h"
@@ -35,7 +36,7 @@ void putQform(Header& header, const Matrix3d& axes, const Vector3d& origin) {
   put<float>(header, 76, qfac);
   put<std::int16_t>(header, 252, 1);
   const std::array<double, 6> values{q.x(), q.y(), q.z(), origin.x(), origin.y(), origin.z()};
-  for (std::size_t i = 0; i < values.size(); ++i) put<float>(header, 256 + 4 * i, values[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) put<float>(header, 256 + 4 * i, values[i] + 0.0);  // no -0
 }
 
 void putSform(Header& header, const Matrix4d& ras) {
@@ -70,14 +71,8 @@ Header headerOf(const Vector3i& size, const Matrix4d& worldFromIndex, int dataty
   return header;
 }
 
-}  // namespace
-
-template <class T>
-void writeNifti(const std::filesystem::path& file, const Volume<T>& volume, bool deflated) {
-  constexpr bool labels = std::is_same_v<T, std::uint16_t>;
-  const Header header = headerOf(volume.size, volume.worldFromIndex, labels ? 512 : 16, labels ? 16 : 32);
-  const std::array<Bytes, 2> parts{Bytes{header.data(), header.size()},
-                                   Bytes{volume.voxels.data(), volume.voxels.size() * sizeof(T)}};
+void writeParts(const std::filesystem::path& file, const Header& header, Bytes voxels, bool deflated) {
+  const std::array<Bytes, 2> parts{Bytes{header.data(), header.size()}, voxels};
   std::ofstream out(file, std::ios::binary);
   if (deflated) {
     writeDeflated(out, parts.data(), parts.size(), DeflateFormat::Gzip);
@@ -86,6 +81,31 @@ void writeNifti(const std::filesystem::path& file, const Volume<T>& volume, bool
       out.write(static_cast<const char*>(part.data), static_cast<std::streamsize>(part.count));
   }
   checkWritten(out);
+}
+
+}  // namespace
+
+template <class T>
+void writeNifti(const std::filesystem::path& file, const Volume<T>& volume, bool deflated) {
+  constexpr bool labels = std::is_same_v<T, std::uint16_t>;
+  const Header header = headerOf(volume.size, volume.worldFromIndex, labels ? 512 : 16, labels ? 16 : 32);
+  writeParts(file, header, {volume.voxels.data(), volume.voxels.size() * sizeof(T)}, deflated);
+}
+
+void writeNiftiDisplacements(const std::filesystem::path& file, const DisplacementGrid& grid, bool deflated) {
+  Header header = headerOf(grid.size, grid.worldFromIndex, 16, 32);
+  put<std::int16_t>(header, 40, 5);     // dim[0]: x, y, z, no time, components
+  put<std::int16_t>(header, 50, 3);     // dim[5]
+  put<std::int16_t>(header, 68, 1006);  // NIFTI_INTENT_DISPVECT
+  put<float>(header, 92, 1);            // pixdim[4] and [5]: said by some readers to be needed
+  put<float>(header, 96, 1);
+  std::vector<float> components;
+  components.reserve(3 * grid.voxels.size());
+  for (Index axis = 0; axis < 3; ++axis) {
+    const float sign = axis < 2 ? -1.0F : 1.0F;  // LPS to RAS; 0 stays +0, for the bytes' sake
+    for (const Eigen::Vector3f& vector : grid.voxels) components.push_back(sign * vector[axis] + 0.0F);
+  }
+  writeParts(file, header, {components.data(), components.size() * sizeof(float)}, deflated);
 }
 
 template void writeNifti(const std::filesystem::path&, const LabelMap&, bool);

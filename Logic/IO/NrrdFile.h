@@ -31,4 +31,8 @@ void writeNrrd(const std::filesystem::path& file, const Volume<T>& volume, bool 
 template <class T>
 void writeNrrdHeader(const std::filesystem::path& file, const Volume<T>& volume, const std::string& dataName);
 
+/// The same for displacements: four axes, the vector's components (LPS) first; 3D Slicer's key says that they
+/// are for resampling.
+void writeNrrdDisplacements(const std::filesystem::path& file, const DisplacementGrid& grid);
+
 }  // namespace falciform

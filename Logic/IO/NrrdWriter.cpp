@@ -70,6 +70,19 @@ void writeNrrdHeader(const std::filesystem::path& file, const Volume<T>& volume,
   checkWritten(out);
 }
 
+void writeNrrdDisplacements(const std::filesystem::path& file, const DisplacementGrid& grid) {
+  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "vectors stand in memory as in the file");
+  const Matrix4d& m = grid.worldFromIndex;
+  std::ofstream out(file, std::ios::binary);
+  out << "NRRD0004\ntype: float\ndimension: 4\nspace: left-posterior-superior\nsizes: 3 " << grid.size.x()
+      << ' ' << grid.size.y() << ' ' << grid.size.z() << "\nspace directions: none";
+  for (Index axis = 0; axis < 3; ++axis) out << ' ' << vectorText(m.block<3, 1>(0, axis));
+  out << "\nkinds: vector domain domain domain\nendian: little\nencoding: gzip\nspace origin: "
+      << vectorText(m.topRightCorner<3, 1>()) << "\ndisplacement field type:=resampling\n\n";
+  writeDeflated(out, grid.voxels.data(), grid.voxels.size() * sizeof(Eigen::Vector3f), DeflateFormat::Gzip);
+  checkWritten(out);
+}
+
 template void writeNrrd(const std::filesystem::path&, const LabelMap&, bool);
 template void writeNrrd(const std::filesystem::path&, const Image&, bool);
 template void writeNrrdHeader(const std::filesystem::path&, const LabelMap&, const std::string&);

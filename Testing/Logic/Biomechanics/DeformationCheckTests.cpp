@@ -39,6 +39,23 @@ TEST(DeformationCheck, FindsThePlaceWhereAQuadraticFieldFolds) {
   EXPECT_EQ(far, kSize[0]);
 }
 
+TEST(DeformationCheck, OfEachElementIsThatOfTheMeshCutOutThere) {
+  const TetrahedralMesh mesh = block();
+  Points u = Points::Zero(mesh.nodes(), 3);
+  u.col(0) = mesh.points.col(0).cwiseAbs2() / -50;
+  const VectorXd least = leastDetJ(mesh, u);
+  ASSERT_EQ(least.size(), mesh.size());
+  const DeformationCheck all = checkDeformation(mesh, u);
+  EXPECT_EQ(least.minCoeff(), all.minDetJ);
+  EXPECT_EQ(least[all.worstElement], all.minDetJ);
+  for (Index e = 0; e < mesh.size(); e += 37) {
+    // det = 1 - x / 25 falls with x: least at the corner that is farthest along.
+    double far = 0;
+    for (int k = 0; k < 4; ++k) far = std::max(far, mesh.points(mesh.elements(e, k), 0));
+    EXPECT_NEAR(least[e], 1 - far / 25, 1e-12);
+  }
+}
+
 TEST(DeformationCheck, OfSumsIsThatOfTheirFields) {
   const TetrahedralMesh mesh = block();
   std::vector<Points> fields(3, Points(mesh.nodes(), 3));

@@ -2,6 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
 
 #include <optional>
 #include <random>
@@ -144,6 +150,39 @@ TEST(MeshFiles, ThatAreWrongAreRefusedInOneLine) {
   refused("UnstructuredGrid", "PolyData", "");
   writeTextFile(folder / "bad.vtu", Overwrite::Replace, "");
   EXPECT_THAT(refusalOf(folder / "bad.vtu"), HasSubstr("empty"));
+}
+
+TEST(MeshFiles, CarryWhatAResultSaysOfElementsAndNodes) {
+  const TemporaryFolder folder;
+  const TetrahedralMesh mesh = cube(true);
+  VectorXd detJ(5);
+  detJ << 0.9, 1.25, -0.5, 1, 0.75;
+  Points moved = Points::Zero(mesh.nodes(), 3);
+  moved.row(3) << 1.5, -2, 4;
+  writeMesh(folder / "mesh.vtu", mesh, Overwrite::Refuse,
+            {.cells = {{"min_det_j", detJ}}, .nodes = {{"displacement_mm", moved}}});
+  EXPECT_EQ(readMesh(folder / "mesh.vtu").value.points, mesh.points);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName((folder / "mesh.vtu").c_str());
+  reader->Update();
+  vtkDataArray* cells = reader->GetOutput()->GetCellData()->GetArray("min_det_j");
+  vtkDataArray* nodes = reader->GetOutput()->GetPointData()->GetArray("displacement_mm");
+  ASSERT_TRUE(cells != nullptr && nodes != nullptr);
+  for (Index e = 0; e < 5; ++e) EXPECT_EQ(cells->GetTuple1(e), detJ[e]);
+  EXPECT_EQ(nodes->GetNumberOfComponents(), 3);
+  EXPECT_EQ(nodes->GetComponent(3, 2), 4);
+  EXPECT_THROW(writeMesh(folder / "other.vtu", mesh, Overwrite::Refuse,
+                         {.cells = {{"a", VectorXd::Zero(4)}}, .nodes = {}}),
+               InputError);
+}
+
+TEST(MeshFiles, AFoldedMeshIsWrittenOnlyWhereItIsAResult) {
+  const TemporaryFolder folder;
+  TetrahedralMesh mesh = cube(false);
+  mesh.points *= -1;  // inside out
+  EXPECT_THROW(writeMesh(folder / "mesh.vtu", mesh, Overwrite::Refuse), InputError);
+  writeMesh(folder / "mesh.vtu", mesh, Overwrite::Refuse, {.cells = {}, .nodes = {}, .mayBeFolded = true});
+  EXPECT_THAT(refusalOf(folder / "mesh.vtu"), HasSubstr("inverted"));
 }
 
 TEST(MeshFiles, WithDamagedBytesAreReadOrRefusedButNeverCrash) {
