@@ -73,6 +73,21 @@ void Case::setSupports(std::shared_ptr<const SupportPainting> supports) {
   announce(Part::Supports);
 }
 
+void Case::setCt(std::shared_ptr<const Image> ct) {
+  ct_ = std::move(ct);
+  announce(Part::Ct);
+}
+
+void Case::setTargets(Landmarks targets) {
+  targets_ = std::move(targets);
+  announce(Part::Targets);
+}
+
+void Case::setTruthTargets(Landmarks targets) {
+  truthTargets_ = std::move(targets);
+  announce(Part::TruthTargets);
+}
+
 void Case::setName(std::string name) {
   name_ = std::move(name);
   announce(Part::Name);
@@ -88,11 +103,14 @@ void Case::clear() {
   registration_.reset();
   distance_.reset();
   supports_.reset();
+  ct_.reset();
+  targets_ = {};
+  truthTargets_ = {};
   name_ = "Untitled";
   registrationStale_ = false;
-  for (const Part part :
-       {Part::Labels, Part::Preop, Part::Scan, Part::Structures, Part::PreopLandmarks, Part::ScanLandmarks,
-        Part::Registration, Part::Distance, Part::Supports, Part::Name})
+  for (const Part part : {Part::Labels, Part::Preop, Part::Scan, Part::Structures, Part::PreopLandmarks,
+                          Part::ScanLandmarks, Part::Registration, Part::Distance, Part::Supports, Part::Ct,
+                          Part::Targets, Part::TruthTargets, Part::Name})
     changed.emit(part);
   modified_ = false;
 }

@@ -27,6 +27,9 @@ class Case {
     Registration,
     Distance,
     Supports,
+    Ct,
+    Targets,
+    TruthTargets,
     Name
   };
 
@@ -47,6 +50,12 @@ class Case {
   [[nodiscard]] const std::shared_ptr<const DistanceMap>& distance() const { return distance_; }
   /// What holds and pushes the liver, painted on the points of preop(); nullptr: nothing yet.
   [[nodiscard]] const std::shared_ptr<const SupportPainting>& supports() const { return supports_; }
+  /// The CT that the pre-operative surface was made of, or nullptr: to look at, nothing is computed from it.
+  [[nodiscard]] const std::shared_ptr<const Image>& ct() const { return ct_; }
+  /// Places inside the liver, pre-op mm, of which one wants to know where they are now,
+  [[nodiscard]] const Landmarks& targets() const { return targets_; }
+  /// and, in trials, where they truly are, scan mm.
+  [[nodiscard]] const Landmarks& truthTargets() const { return truthTargets_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool modified() const { return modified_; }
   /// True when surface or patches changed after the registration was made: it is kept, and marked stale.
@@ -62,6 +71,9 @@ class Case {
   void setRegistration(std::shared_ptr<const RegistrationResult> result);  ///< drops the distance map
   void setDistance(std::shared_ptr<const DistanceMap> map);
   void setSupports(std::shared_ptr<const SupportPainting> supports);
+  void setCt(std::shared_ptr<const Image> ct);
+  void setTargets(Landmarks targets);
+  void setTruthTargets(Landmarks targets);
   void setName(std::string name);
 
   /// Everything gone, as after construction; connections stay.
@@ -80,6 +92,8 @@ class Case {
   std::shared_ptr<const RegistrationResult> registration_;
   std::shared_ptr<const DistanceMap> distance_;
   std::shared_ptr<const SupportPainting> supports_;
+  std::shared_ptr<const Image> ct_;
+  Landmarks targets_, truthTargets_;
   std::string name_ = "Untitled";
   bool modified_ = false, registrationStale_ = false;
 };

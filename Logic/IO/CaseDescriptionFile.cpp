@@ -28,6 +28,7 @@ constexpr TextKey kFileKeys[]{{"labelMap", &CaseDescription::labelMap},
                               {"registration", &CaseDescription::registration},
                               {"distance", &CaseDescription::distance},
                               {"supports", &CaseDescription::supports},
+                              {"ct", &CaseDescription::ct},
                               {"targets", &CaseDescription::targets},
                               {"truthTargets", &CaseDescription::truthTargets}};
 

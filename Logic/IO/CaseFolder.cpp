@@ -64,6 +64,11 @@ class CaseSaver {
     writeLabelMap(folder_ / file, *labels, overwrite_);
     return file;
   }
+  std::string save(const std::shared_ptr<const Image>& ct, const std::string& file) const {
+    if (!ct) return {};
+    writeImage(folder_ / file, *ct, overwrite_);
+    return file;
+  }
   std::string save(const std::shared_ptr<const RegistrationResult>& result, bool stale,
                    const std::string& file) const {
     if (!result) return {};
@@ -115,6 +120,8 @@ class CaseOpener {
     for (const auto& [name, file] : from_.structures) structures[name] = surface(file);
     const Landmarks preopLandmarks = landmarks(from_.preopLandmarks),
                     scanLandmarks = landmarks(from_.scanLandmarks);
+    const Landmarks targets = landmarks(from_.targets), truthTargets = landmarks(from_.truthTargets);
+    const auto ct = from_.ct.empty() ? nullptr : shared(take(readImage(from_.folder / from_.ct)));
     bool stale = false;
     const auto registration = readRegistration(stale);
     const auto distance = readDistance();
@@ -131,6 +138,9 @@ class CaseOpener {
     for (const auto& [name, structure] : structures) document.setStructure(name, structure);
     if (!preopLandmarks.points.empty()) document.setPreopLandmarks(preopLandmarks);
     if (!scanLandmarks.points.empty()) document.setScanLandmarks(scanLandmarks);
+    if (!targets.points.empty()) document.setTargets(targets);
+    if (!truthTargets.points.empty()) document.setTruthTargets(truthTargets);
+    if (ct) document.setCt(ct);
     if (distance) document.setDistance(distance);
     if (supports) document.setSupports(supports);
     document.setUnmodified();
@@ -220,6 +230,11 @@ void saveCase(const Case& document, const fs::path& folder, Overwrite overwrite)
       saver.save(document.registration(), document.registrationStale(), "registration.json");
   description.distance = saver.save(document.distance(), "distance.json");
   description.supports = saver.save(document.supports(), "supports.json");
+  description.ct = saver.save(document.ct(), "ct.nii.gz");
+  if (!document.targets().points.empty())
+    description.targets = saver.save(document.targets(), "targets.mrk.json");
+  if (!document.truthTargets().points.empty())
+    description.truthTargets = saver.save(document.truthTargets(), "truth_targets.mrk.json");
   writeCaseDescription(description, overwrite);  // last: until then the old case.json stands
 }
 

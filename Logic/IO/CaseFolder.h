@@ -23,6 +23,7 @@ struct CaseDescription {
   std::vector<std::pair<std::string, std::string>> structures;  ///< name, surface file: vessels, tumours
   std::string registration;  ///< scan_from_preop transform saved with the case
   std::string distance;      ///< saved distance map (.json; its surfaces lie beside it)
+  std::string ct;            ///< the CT that the surface was made of
   std::string supports;      ///< painted supports of the pre-op surface (.json)
   nlohmann::json settings =
       nlohmann::json::object();  ///< {"import": {...}, "registration": {...}, "distance": {...}}

@@ -2,44 +2,10 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "Logic/Core/Errors.h"
 #include "Logic/Registration/PointRegistration.h"
 
 namespace falciform::commandline {
-
-namespace {
-
-/// Truth in the order of the targets.
-std::vector<Landmark> paired(const Landmarks& targets, const Landmarks& truth) {
-  std::map<std::string, Landmark> byName;
-  for (const Landmark& point : truth.points) byName[point.name] = point;
-  std::vector<Landmark> ordered;
-  std::map<std::string, int> seen;
-  for (const Landmark& target : targets.points) {
-    const auto found = byName.find(target.name);
-    if (found == byName.end() || seen[target.name]++ > 0) return truth.points;
-    ordered.push_back(found->second);
-  }
-  return ordered;
-}
-
-Points pointsOf(const std::vector<Landmark>& landmarks) {
-  Points points(static_cast<Index>(landmarks.size()), 3);
-  for (Index i = 0; i < points.rows(); ++i) points.row(i) = landmarks[static_cast<std::size_t>(i)].position;
-  return points;
-}
-
-}  // namespace
-
-PairedTargets pairTargets(const Landmarks& targets, const Landmarks& truth) {
-  if (targets.points.empty() || targets.points.size() != truth.points.size())
-    throw InputError("there are " + std::to_string(targets.points.size()) + " targets and " +
-                     std::to_string(truth.points.size()) +
-                     " true positions; give as many of both, at least one");
-  return {pointsOf(targets.points), pointsOf(paired(targets, truth))};
-}
 
 TargetError measureTargetError(const Landmarks& targets, const Landmarks& truth,
                                const RegistrationResult& registration, const Isometry3d& scanFromPreopStart) {

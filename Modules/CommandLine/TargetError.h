@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "Logic/Core/Landmarks.h"
+#include "Logic/Core/LandmarkPairs.h"
 #include "Logic/Core/Results.h"
 #include "Logic/Core/Types.h"
 
@@ -19,13 +19,6 @@ struct TargetError {
   double optimalRigidMeanMm = 0;  ///< of the rigid motion fitted to the targets themselves: the rest is
                                   ///< deformation; NaN below 3 targets
 };
-
-/// Rows of both that belong together, paired by name where all names of both lists agree, else by order.
-/// Throws InputError if the lists are empty or of different length.
-struct PairedTargets {
-  Points preop, scan;  ///< N x 3, mm
-};
-[[nodiscard]] PairedTargets pairTargets(const Landmarks& targets, const Landmarks& truth);
 
 /// Targets (pre-op mm) through the registration (its warp, where it has one) against `truth` (scan mm),
 /// paired as pairTargets does.

@@ -15,6 +15,9 @@ using testing::IsEmpty;
 TEST(FileGuess, TheExtensionTellsVolumesCloudsAndCases) {
   for (const char* name : {"liver.nii", "liver.nii.gz", "a/b.seg.nrrd", "l.mha", "L.MHD"})
     EXPECT_THAT(guessFileRoles(name), ElementsAre(FileRole::Labels)) << name;
+  for (const char* name : {"ct.nii.gz", "portal_CT.nrrd", "patient-3 ct 1mm.mha"})
+    EXPECT_THAT(guessFileRoles(name), ElementsAre(FileRole::Ct)) << name;
+  EXPECT_THAT(guessFileRoles("structures.nii"), ElementsAre(FileRole::Labels)) << "no word 'ct' in it";
   EXPECT_THAT(guessFileRoles("points.xyz"), ElementsAre(FileRole::Scan));
   EXPECT_THAT(guessFileRoles("case.json"), ElementsAre(FileRole::Case));
 }
@@ -26,6 +29,8 @@ TEST(FileGuess, TheNameTellsScansSurfacesAndStructuresApart) {
   EXPECT_THAT(guessFileRoles("portal_vein.stl"), ElementsAre(FileRole::Structure));
   EXPECT_THAT(guessFileRoles("scan-landmarks.mrk.json"), ElementsAre(FileRole::ScanLandmarks));
   EXPECT_THAT(guessFileRoles("preop.fcsv"), ElementsAre(FileRole::PreopLandmarks));
+  EXPECT_THAT(guessFileRoles("targets.mrk.json"), ElementsAre(FileRole::Targets));
+  EXPECT_THAT(guessFileRoles("truth_targets.mrk.json"), ElementsAre(FileRole::TruthTargets));
 }
 
 TEST(FileGuess, WhereNothingTellsTheUserIsToBeAsked) {

@@ -29,6 +29,10 @@ void adopt(Case& document, const Case& loaded) {
   if (loaded.registration()) document.setRegistration(loaded.registration());
   if (loaded.scan() && loaded.registrationStale()) document.setScan(loaded.scan());
   if (loaded.distance()) document.setDistance(loaded.distance());
+  if (loaded.supports()) document.setSupports(loaded.supports());
+  if (loaded.ct()) document.setCt(loaded.ct());
+  document.setTargets(loaded.targets());
+  document.setTruthTargets(loaded.truthTargets());
   document.setUnmodified();
 }
 
@@ -101,8 +105,21 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
               case_.setStructure(file.stem().string(), std::move(surface));
             finish(loaded.warnings);
           });
+    case FileRole::Ct:
+      return start(
+          title,
+          [file](const Progress& progress) {
+            progress.report(0, "reading the CT");
+            return readImage(file);
+          },
+          [this, finish](Loaded<Image> loaded) {
+            case_.setCt(std::make_shared<const Image>(std::move(loaded.value)));
+            finish(loaded.warnings);
+          });
     case FileRole::PreopLandmarks:
     case FileRole::ScanLandmarks:
+    case FileRole::Targets:
+    case FileRole::TruthTargets:
       return start(
           title,
           [file](const Progress& progress) {
@@ -112,8 +129,12 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
           [this, role, finish](Loaded<Landmarks> loaded) {
             if (role == FileRole::PreopLandmarks)
               case_.setPreopLandmarks(std::move(loaded.value));
-            else
+            else if (role == FileRole::ScanLandmarks)
               case_.setScanLandmarks(std::move(loaded.value));
+            else if (role == FileRole::Targets)
+              case_.setTargets(std::move(loaded.value));
+            else
+              case_.setTruthTargets(std::move(loaded.value));
             finish(loaded.warnings);
           });
   }
@@ -134,7 +155,7 @@ bool CaseFiles::save(const fs::path& folder, std::function<void()> done) {
         if (case_.preop() == snapshot->preop() && case_.scan() == snapshot->scan() &&
             case_.registration() == snapshot->registration() && case_.distance() == snapshot->distance() &&
             case_.labels() == snapshot->labels() && case_.name() == snapshot->name() &&
-            case_.structures() == snapshot->structures())
+            case_.structures() == snapshot->structures() && case_.ct() == snapshot->ct())
           case_.setUnmodified();
         log_.info(QObject::tr("Saved the case in %1.").arg(shortName(folder)));
         if (done) done();

@@ -29,6 +29,20 @@ std::vector<FileRole> guessSurface(const std::string& name, const std::string& e
   return {FileRole::Preop, FileRole::Scan, FileRole::Structure};
 }
 
+/// Whether `word` stands in the name by itself: "ct" in "portal_ct.nii.gz", not in "structures.nii".
+bool hasWord(const std::string& name, std::string_view word) {
+  const auto letter = [&](std::size_t i) {
+    return i < name.size() && std::isalpha(static_cast<unsigned char>(name[i]));
+  };
+  for (std::size_t at = name.find(word); at != std::string::npos; at = name.find(word, at + 1))
+    if (!(at > 0 && letter(at - 1)) && !letter(at + word.size())) return true;
+  return false;
+}
+
+std::vector<FileRole> guessVolume(const std::string& name) {
+  return {hasWord(name, "ct") ? FileRole::Ct : FileRole::Labels};
+}
+
 }  // namespace
 
 std::string_view fileRoleName(FileRole role) {
@@ -47,6 +61,12 @@ std::string_view fileRoleName(FileRole role) {
       return "landmarks on the pre-operative surface";
     case FileRole::ScanLandmarks:
       return "landmarks on the scan";
+    case FileRole::Ct:
+      return "CT volume";
+    case FileRole::Targets:
+      return "targets inside the liver";
+    case FileRole::TruthTargets:
+      return "true places of the targets, in the scan's frame";
   }
   return "";
 }
@@ -58,8 +78,10 @@ std::vector<FileRole> guessFileRoles(const std::filesystem::path& file) {
                                                                 : std::vector<FileRole>{};
   const std::string name = lowerCase(file.filename().string());
   const std::string extension = lowerCase(file.extension().string());
-  if (isVolumeFile(file)) return {FileRole::Labels};
+  if (isVolumeFile(file)) return guessVolume(name);
   if (name.ends_with(".mrk.json") || extension == ".fcsv") {
+    if (namesAnyOf(name, {"target"}))
+      return {namesAnyOf(name, {"truth", "true"}) ? FileRole::TruthTargets : FileRole::Targets};
     if (namesAnyOf(name, {"scan", "intraop"})) return {FileRole::ScanLandmarks};
     if (namesAnyOf(name, {"preop", "pre-op", "pre_op"})) return {FileRole::PreopLandmarks};
     return {FileRole::PreopLandmarks, FileRole::ScanLandmarks};

@@ -6,7 +6,18 @@
 namespace falciform {
 
 /// What a file can be to a case.
-enum class FileRole { Case, Labels, Preop, Scan, Structure, PreopLandmarks, ScanLandmarks };
+enum class FileRole {
+  Case,
+  Labels,
+  Preop,
+  Scan,
+  Structure,
+  PreopLandmarks,
+  ScanLandmarks,
+  Ct,
+  Targets,
+  TruthTargets
+};
 
 /// In words, as on screen: "pre-operative surface".
 [[nodiscard]] std::string_view fileRoleName(FileRole role);

@@ -91,6 +91,11 @@ void CaseTree::rebuild() {
   if (const auto& labels = case_.labels())
     addFact(tr("Label map"),
             tr("%1 x %2 x %3 voxels").arg(labels->size.x()).arg(labels->size.y()).arg(labels->size.z()));
+  if (const auto& ct = case_.ct())
+    addFact(tr("CT"), tr("%1 x %2 x %3 voxels; shown as slices in the atlas update")
+                          .arg(ct->size.x())
+                          .arg(ct->size.y())
+                          .arg(ct->size.z()));
   if (case_.preop()) addPart(tr("Pre-op liver"), part::kPreop, surfaceFacts(*case_.preop()));
   for (const auto& [name, surface] : case_.structures())
     addPart(QString::fromStdString(name), part::structure(name), surfaceFacts(*surface));
@@ -101,6 +106,11 @@ void CaseTree::rebuild() {
   if (!case_.scanLandmarks().points.empty())
     addPart(tr("Scan landmarks"), part::kScanLandmarks,
             tr("%1 points").arg(case_.scanLandmarks().points.size()));
+  if (!case_.targets().points.empty())
+    addFact(tr("Targets"),
+            tr("%1 places inside the liver%2")
+                .arg(case_.targets().points.size())
+                .arg(case_.truthTargets().points.empty() ? QString() : tr(", and where they truly are")));
   if (case_.registration())
     addFact(case_.registrationStale() ? tr("Registration (out of date)") : tr("Registration"),
             tr("%1 mm weighted RMS, fit").arg(case_.registration()->weightedRmsMm, 0, 'f', 2));

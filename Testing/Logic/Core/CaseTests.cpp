@@ -90,10 +90,14 @@ TEST(Case, LandmarksNamesAndStructuresLeaveResultsAlone) {
   watched.document.setScanLandmarks({});
   watched.document.setStructure("tumour", std::make_shared<Surface>());
   watched.document.setLabels(std::make_shared<LabelMap>());
+  watched.document.setCt(std::make_shared<Image>());
+  watched.document.setTargets({{{"tumour 1", {1, 2, 3}}}, "LPS"});
+  watched.document.setTruthTargets({});
   EXPECT_FALSE(watched.document.registrationStale());
   EXPECT_TRUE(watched.document.distance());
-  EXPECT_EQ(watched.parts, (std::vector<Part>{Part::Name, Part::PreopLandmarks, Part::ScanLandmarks,
-                                              Part::Structures, Part::Labels}));
+  EXPECT_EQ(watched.parts,
+            (std::vector<Part>{Part::Name, Part::PreopLandmarks, Part::ScanLandmarks, Part::Structures,
+                               Part::Labels, Part::Ct, Part::Targets, Part::TruthTargets}));
 }
 
 TEST(Case, SupportsStayWhilePatchesArePaintedAndGoWithTheShape) {
@@ -147,7 +151,8 @@ TEST(Case, ClearingLeavesItAsAfterConstructionAndAnnouncesEveryPart) {
   EXPECT_FALSE(watched.document.preop() || watched.document.scan() || watched.document.registration() ||
                watched.document.distance());
   for (const Part part : {Part::Labels, Part::Preop, Part::Scan, Part::Structures, Part::PreopLandmarks,
-                          Part::ScanLandmarks, Part::Registration, Part::Distance, Part::Name})
+                          Part::ScanLandmarks, Part::Registration, Part::Distance, Part::Supports, Part::Ct,
+                          Part::Targets, Part::TruthTargets, Part::Name})
     EXPECT_TRUE(watched.announced(part)) << static_cast<int>(part);
   watched.document.setName("next");
   EXPECT_EQ(watched.parts.back(), Part::Name) << "connections stay";

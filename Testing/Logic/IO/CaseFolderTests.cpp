@@ -40,6 +40,13 @@ void fillCase(Case& document) {
   document.setScanLandmarks({{{"a", {4, 5, 6}}}, "scanner"});
   document.setRegistration(std::make_shared<const RegistrationResult>(sampleRegistration()));
   document.setDistance(std::make_shared<const DistanceMap>(sampleDistance()));
+  Image ct;
+  ct.size = {3, 2, 2};
+  ct.worldFromIndex.diagonal() << 0.5, 0.5, 2, 1;
+  ct.voxels = {-1000, -50, 0, 40.5F, 60, 120, 300, 1500, -3, 7, 8, 9};
+  document.setCt(std::make_shared<const Image>(ct));
+  document.setTargets({{{"tumour 1", {7, 8, 9}}}, "LPS"});
+  document.setTruthTargets({{{"tumour 1", {-7, -8, -9}}}, "scanner"});
 }
 
 TEST(CaseFolder, AWholeCaseComesBack) {
@@ -63,6 +70,11 @@ TEST(CaseFolder, AWholeCaseComesBack) {
             saved.structures().at("portal vein . left")->points);
   EXPECT_EQ(opened.preopLandmarks().points.at(0).position, Vector3d(1, 2, 3));
   EXPECT_EQ(opened.scanLandmarks().frame, "scanner");
+  ASSERT_TRUE(opened.ct());
+  EXPECT_EQ(opened.ct()->voxels, saved.ct()->voxels);
+  EXPECT_EQ(opened.targets().points.at(0).position, Vector3d(7, 8, 9));
+  EXPECT_EQ(opened.truthTargets().points.at(0).position, Vector3d(-7, -8, -9));
+  EXPECT_EQ(opened.truthTargets().frame, "scanner");
   EXPECT_EQ(toJson(*opened.registration()), toJson(*saved.registration()));
   EXPECT_FALSE(opened.registrationStale());
   EXPECT_EQ(toJson(*opened.distance()), toJson(*saved.distance()));
