@@ -58,6 +58,7 @@ Surface CommandRun::mesh(const fs::path& file) {
   return read;
 }
 LabelMap CommandRun::labelMap(const fs::path& file) { return keep(readLabelMap(file), file); }
+Image CommandRun::image(const fs::path& file) { return keep(readImage(file), file); }
 Landmarks CommandRun::landmarks(const fs::path& file) { return keep(readLandmarks(file), file); }
 Isometry3d CommandRun::transform(const fs::path& file) {
   return keep(Loaded<Isometry3d>{readTransform(file), {}}, file);

@@ -53,6 +53,7 @@ class CommandRun {
   [[nodiscard]] Surface mesh(const std::filesystem::path& file);
   [[nodiscard]] TetrahedralMesh tetrahedra(const std::filesystem::path& file);
   [[nodiscard]] LabelMap labelMap(const std::filesystem::path& file);
+  [[nodiscard]] Image image(const std::filesystem::path& file);
   [[nodiscard]] Landmarks landmarks(const std::filesystem::path& file);
   [[nodiscard]] Isometry3d transform(const std::filesystem::path& file);
   /// Remembers another input file.

@@ -2,6 +2,7 @@
 #include "Logic/Registration/SurfaceRegistration.h"
 #include "Modules/CommandLine/Commands.h"
 #include "Modules/CommandLine/LiverInput.h"
+#include "Modules/CommandLine/UpdateImages.h"
 #include "Modules/CommandLine/UpdateInput.h"
 #include "Modules/CommandLine/UpdateOutputs.h"
 
@@ -13,11 +14,12 @@ void declare(Syntax& syntax) {
   const std::string group = "Files";
   declareLiverInput(syntax, group);
   declareUpdateInput(syntax, group);
+  declareUpdateImages(syntax, group);
   syntax.add({.name = "out",
               .kind = Folder,
               .label = "Result folder",
-              .help = "Receives updated.vtp, targets_updated.mrk.json, structure surfaces, the rigid part as "
-                      "scan_from_preop.*, and update.json.",
+              .help = "Receives updated.vtp, updated_mesh.vtu, targets_updated.mrk.json, structure surfaces, "
+                      "images, the rigid part as scan_from_preop.*, and update.json.",
               .required = true,
               .output = true,
               .group = group});
@@ -51,6 +53,8 @@ RegistrationResult rigidStart(const ParsedArguments& arguments, const falciform:
 void execute(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path folder = arguments.path("out");
   announceUpdate(arguments, run);
+  const ImageOutputsPlan images = imageOutputs(arguments);
+  announceImages(images, folder, run);
   const UpdateInput input = readUpdateInput(arguments, run);
   announceStructures(input, folder, run);
   const LiverInput liver = readLiverInput(arguments, run, run.progress.part(0, 0.2));
@@ -67,6 +71,8 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   const UpdatedLiver updated = updatedLiver(liver, input, rigid, update, &model);
   tellUpdate(updated, run);
   writeUpdate(updated, arguments, run);
+  writeImages(images, UpdateMap(liver.mesh, update.displacements, update.scanFromPreop), liver.mesh,
+              update.displacements, input.scan.frame, folder, run, run.progress.part(0.95, 1));
   run.writeSidecar(folder / "update.json");
   run.say("written to " + folder.string());
 }
