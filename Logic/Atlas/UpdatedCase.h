@@ -1,0 +1,56 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "Logic/Atlas/ModelUpdate.h"
+#include "Logic/Core/Case.h"
+
+namespace falciform {
+
+/// Arrays on UpdatedCase::surface, mm.
+inline constexpr char kExpectedError[] = "expected_error_mm";
+/// How far a place lies from where the rigid registration puts it.
+inline constexpr char kAgainstRigid[] = "against_rigid_mm";
+
+/// A place inside the liver: where it was, and where registration and update say it is now.
+struct UpdatedTarget {
+  std::string name;
+  bool structure = false;              ///< the middle of a structure's surface, not a target of the case
+  Vector3d before = Vector3d::Zero();  ///< pre-op mm
+  Vector3d rigid = Vector3d::Zero();   ///< scan mm, by the registration
+  Vector3d now = Vector3d::Zero();     ///< scan mm, by the update
+  double expectedErrorMm = 0;          ///< of `now`
+  std::optional<double> trueErrorMm;   ///< of `now`, where the truth is known
+  std::optional<double> rigidErrorMm;  ///< of `rigid`
+};
+
+/// A model update with all that a case holds moved along, and what it was made of.
+struct UpdatedCase {
+  std::shared_ptr<const UpdateModel> model;
+  std::shared_ptr<const Surface> preop, scan;  ///< as they were
+  std::shared_ptr<const RegistrationResult> registration;
+  UpdateResult update;
+  /// The pre-op surface where it is now, scan mm; arrays kDisplacement (beside the update's own rigid
+  /// motion), kAgainstRigid and kExpectedError.
+  std::shared_ptr<const Surface> surface;
+  std::map<std::string, std::shared_ptr<const Surface>> structures;        ///< where they are now, scan mm,
+  std::map<std::string, std::shared_ptr<const Surface>> structuresBefore;  ///< and were, pre-op mm
+  std::vector<UpdatedTarget> targets;  ///< those of the case, then the middles of the structures
+  double expectedErrorMeanMm = 0;      ///< over the surface's points
+};
+
+/// What an update makes of the case's parts. Truth is paired with targets as pairTargets does; where their
+/// numbers differ there is none, and a warning.
+struct CasePlaces {
+  std::shared_ptr<const Surface> preop, scan;
+  std::shared_ptr<const RegistrationResult> registration;
+  std::map<std::string, std::shared_ptr<const Surface>> structures;
+  Landmarks targets, truthTargets;
+};
+[[nodiscard]] UpdatedCase moveCase(const CasePlaces& places, std::shared_ptr<const UpdateModel> model,
+                                   UpdateResult update, const Progress& progress = {});
+
+}  // namespace falciform

@@ -1,0 +1,176 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "Logic/Acquisition/SyntheticLiver.h"
+#include "Logic/Atlas/ModelUpdateLogic.h"
+#include "Logic/Core/Errors.h"
+#include "Testing/Support/SmallSurfaces.h"
+
+namespace falciform::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const SyntheticLiver& liver() {
+  static const SyntheticLiver made = [] {
+    SyntheticLiverSettings shape;
+    shape.edgeLengthMm = 6;
+    return makeSyntheticLiver(shape);
+  }();
+  return made;
+}
+
+/// The front of the liver, its left end lifted by a smooth bend of up to `bendMm`.
+Surface scanOf(double bendMm, const Isometry3d& scanFromPreop) {
+  const Surface& whole = liver().surface;
+  const double front = whole.points.col(1).mean();
+  const double right = whole.points.col(0).minCoeff(), left = whole.points.col(0).maxCoeff();
+  std::vector<int> seen;
+  for (int i = 0; i < whole.size(); ++i)
+    if (whole.points(i, 1) < front) seen.push_back(i);
+  Surface scan;
+  scan.points = whole.points(seen, Eigen::all);
+  for (Index i = 0; i < scan.size(); ++i) {
+    const double along = (scan.points(i, 0) - right) / (left - right);
+    scan.points(i, 1) -= bendMm * along * along;
+  }
+  scan.points = transformed(scan.points, scanFromPreop);
+  scan.frame = "scanner";
+  return scan;
+}
+
+/// The logic on a liver, its scan and their registration; the model made once, on coarse elements.
+struct ModelUpdateLogicTest : testing::Test {
+  Case document;
+  ModelUpdateLogic logic{document};
+  Isometry3d pose = randomMotion(3, 40);
+
+  ModelUpdateLogicTest() { logic.mesh.edgeLengthMm = 25; }
+  void fill(double bendMm) {
+    document.setPreop(std::make_shared<const Surface>(liver().surface));
+    for (const auto& [name, surface] : liver().structures)
+      document.setStructure(name, std::make_shared<const Surface>(surface));
+    document.setTargets(liver().targets);
+    document.setScan(std::make_shared<const Surface>(scanOf(bendMm, pose)));
+    RegistrationResult registration;
+    registration.scanFromPreop = pose;
+    document.setRegistration(std::make_shared<const RegistrationResult>(registration));
+  }
+  void prepare() {
+    static const ModelUpdateLogic::Model made = logic.prepareModel()({});
+    ASSERT_TRUE(logic.acceptModel(made));
+  }
+};
+
+TEST_F(ModelUpdateLogicTest, SaysOneAfterTheOtherWhatIsMissing) {
+  EXPECT_THAT(logic.missingInput(), HasSubstr("pre-operative surface"));
+  EXPECT_THROW((void)logic.prepareModel(), InputError);
+  document.setPreop(std::make_shared<const Surface>(liver().surface));
+  EXPECT_THAT(logic.missingForModel(), IsEmpty());
+  EXPECT_THAT(logic.missingInput(), HasSubstr("scan"));
+  document.setScan(std::make_shared<const Surface>(scanOf(0, pose)));
+  EXPECT_THAT(logic.missingInput(), HasSubstr("Register"));
+  document.setRegistration(std::make_shared<const RegistrationResult>());
+  EXPECT_THAT(logic.missingInput(), HasSubstr("Prepare"));
+  EXPECT_THROW((void)logic.prepare(), InputError);
+  prepare();
+  EXPECT_THAT(logic.missingInput(), IsEmpty());
+  document.setScan(std::make_shared<const Surface>(scanOf(1, pose)));
+  EXPECT_THAT(logic.missingInput(), HasSubstr("register again"));
+}
+
+TEST_F(ModelUpdateLogicTest, TheCaseMovesAsTheSameCallsOfLogicMoveIt) {
+  fill(8);
+  prepare();
+  Landmarks truth = liver().targets;  // any places will do: what counts is that distances are to them
+  for (Landmark& target : truth.points) target.position = pose * target.position + Vector3d(1, 2, -2);
+  std::reverse(truth.points.begin(), truth.points.end());  // paired by name
+  document.setTruthTargets(truth);
+  const UpdatedCase& made = logic.run();
+
+  const UpdateResult same = updateModel(*logic.model(), *document.scan(), pose);
+  EXPECT_EQ(made.update.displacements, same.displacements);
+  EXPECT_EQ(made.surface->points, scanFromPreop(*logic.model(), same, liver().surface.points));
+  EXPECT_EQ(made.surface->frame, "scanner");
+  EXPECT_EQ(made.structures.at("tumour 1")->points,
+            scanFromPreop(*logic.model(), same, liver().structures.at("tumour 1").points));
+  EXPECT_DOUBLE_EQ(made.expectedErrorMeanMm, made.surface->arrays.at(kExpectedError).mean());
+  ASSERT_EQ(made.targets.size(), liver().targets.points.size() + liver().structures.size());
+  for (std::size_t i = 0; i < liver().targets.points.size(); ++i) {
+    const UpdatedTarget& target = made.targets[i];
+    EXPECT_EQ(target.name, liver().targets.points[i].name);
+    EXPECT_GT(target.expectedErrorMm, 0);
+    ASSERT_TRUE(target.rigidErrorMm && target.trueErrorMm);
+    EXPECT_NEAR(*target.rigidErrorMm, 3, 1e-9) << "mm; |(1, 2, -2)|, rounding only";
+    EXPECT_NEAR((target.now - target.rigid - Vector3d(1, 2, -2)).norm(), *target.trueErrorMm, 1e-9);
+  }
+  EXPECT_TRUE(made.targets.back().structure);
+  EXPECT_FALSE(made.targets.back().trueErrorMm);
+}
+
+TEST_F(ModelUpdateLogicTest, AResultSaysWhyItIsStale) {
+  fill(4);
+  prepare();
+  (void)logic.run();
+  EXPECT_THAT(logic.staleReason(), IsEmpty());
+  const double before = logic.settings.noiseFloorMm;
+  logic.settings.noiseFloorMm = 1;
+  EXPECT_THAT(logic.staleReason(), HasSubstr("Settings"));
+  logic.settings.noiseFloorMm = before;
+  EXPECT_THAT(logic.staleReason(), IsEmpty());
+  document.setRegistration(std::make_shared<const RegistrationResult>(*document.registration()));
+  EXPECT_THAT(logic.staleReason(), HasSubstr("registered"));
+  Surface painted = *document.preop();
+  painted.patch.assign(static_cast<std::size_t>(painted.size()), patch::kFalciform);
+  document.setPreop(std::make_shared<const Surface>(painted));
+  EXPECT_TRUE(logic.result()) << "the shape is the same";
+  EXPECT_TRUE(logic.model());
+  EXPECT_THAT(logic.staleReason(), HasSubstr("liver was painted"));
+  document.setScan(std::make_shared<const Surface>(scanOf(5, pose)));
+  EXPECT_THAT(logic.staleReason(), HasSubstr("another scan"));
+  painted.points(0, 0) += 1;
+  document.setPreop(std::make_shared<const Surface>(painted));
+  EXPECT_FALSE(logic.result() || logic.model()) << "of another liver";
+}
+
+TEST_F(ModelUpdateLogicTest, TheObserverSeesEveryIterationAndEndsTheUpdateWithWhatThereIs) {
+  fill(8);
+  prepare();
+  std::vector<int> iterations;
+  double lastRms = 0, keptRms = 0;
+  UpdateResult kept;
+  logic.observer = [&](const UpdateStep& step) {
+    iterations.push_back(step.iteration);
+    lastRms = step.rmsMm;
+    if (step.iteration < 5) return true;
+    kept = step.result();
+    keptRms = kept.rmsMm;
+    return false;
+  };
+  const UpdateResult& update = logic.run().update;
+  EXPECT_EQ(iterations, (std::vector<int>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(keptRms, lastRms);
+  EXPECT_EQ(update.iterations, 5);
+  EXPECT_FALSE(update.converged);
+  EXPECT_THAT(update.stopReason, HasSubstr("stopped by the user"));
+  EXPECT_EQ(update.displacements, kept.displacements);
+  EXPECT_FALSE(update.warnings.empty());
+}
+
+TEST_F(ModelUpdateLogicTest, UnequalNumbersOfTrueTargetsGiveAWarningAndNoError) {
+  fill(0);
+  prepare();
+  Landmarks truth = liver().targets;
+  truth.points.pop_back();
+  document.setTruthTargets(truth);
+  const UpdatedCase& made = logic.run();
+  EXPECT_FALSE(made.targets.front().trueErrorMm);
+  ASSERT_FALSE(made.update.warnings.empty());
+  EXPECT_THAT(made.update.warnings.back(), HasSubstr("true positions"));
+}
+
+}  // namespace
+}  // namespace falciform::test
