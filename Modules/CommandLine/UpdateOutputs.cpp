@@ -72,13 +72,16 @@ UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input, con
 }
 
 void announceUpdate(const ParsedArguments& arguments, CommandRun& run) {
-  const fs::path folder = arguments.path("out");
-  run.outputs.announce(folder / "updated.vtp");
-  for (const std::string& name : poseFiles()) run.outputs.announce(folder / name);
-  if (arguments.has("targets")) run.outputs.announce(folder / "targets_updated.mrk.json");
-  run.outputs.announce(folder / "update.json");
+  announceUpdate(arguments.path("out"), arguments.has("targets"), run);
+  run.outputs.announce(arguments.path("out") / "update.json");
   const fs::path picture = picturePath(arguments);
   if (!picture.empty()) run.outputs.announce(picture);
+}
+
+void announceUpdate(const fs::path& folder, bool targets, CommandRun& run) {
+  run.outputs.announce(folder / "updated.vtp");
+  for (const std::string& name : poseFiles()) run.outputs.announce(folder / name);
+  if (targets) run.outputs.announce(folder / "targets_updated.mrk.json");
 }
 
 void announceStructures(const UpdateInput& input, const fs::path& folder, CommandRun& run) {
@@ -87,11 +90,15 @@ void announceStructures(const UpdateInput& input, const fs::path& folder, Comman
 }
 
 void writeUpdate(const UpdatedLiver& liver, const ParsedArguments& arguments, CommandRun& run) {
-  const fs::path folder = arguments.path("out"), picture = picturePath(arguments);
-  writeSurface(run.outputs.staged(folder / "updated.vtp"), liver.moved, Overwrite::Replace);
+  writeUpdate(liver, arguments.path("out"), run);
+  const fs::path picture = picturePath(arguments);
   if (!picture.empty())
     saveUpdatePicture(liver.liver.surface, liver.moved, liver.input.scan, liver.rigid.scanFromPreop,
                       run.outputs.staged(picture), Overwrite::Replace);
+}
+
+void writeUpdate(const UpdatedLiver& liver, const fs::path& folder, CommandRun& run) {
+  writeSurface(run.outputs.staged(folder / "updated.vtp"), liver.moved, Overwrite::Replace);
   for (const UpdateInput::Structure& structure : liver.input.structures)
     writeSurface(run.outputs.staged(folder / structure.file), movedSurface(liver, structure.surface),
                  Overwrite::Replace);

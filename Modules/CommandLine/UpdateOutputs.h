@@ -28,11 +28,14 @@ inline constexpr char kExpectedError[] = "expected_error_mm";
 
 /// Says which files may come, before any computation.
 void announceUpdate(const ParsedArguments& arguments, CommandRun& run);
+void announceUpdate(const std::filesystem::path& folder, bool targets, CommandRun& run);
 /// The same for what is known once the input is read.
 void announceStructures(const UpdateInput& input, const std::filesystem::path& folder, CommandRun& run);
 
 /// Writes them: updated.vtp, structures, targets, pose; --picture.
 void writeUpdate(const UpdatedLiver& updated, const ParsedArguments& arguments, CommandRun& run);
+/// The same without a picture.
+void writeUpdate(const UpdatedLiver& updated, const std::filesystem::path& folder, CommandRun& run);
 
 /// The update's figures, on stdout and in the sidecar; target error where there is truth; warns where the
 /// update expects to be worse than what it began from.
