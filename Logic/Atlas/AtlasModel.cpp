@@ -1,0 +1,43 @@
+#include "Logic/Atlas/AtlasModel.h"
+
+#include "Logic/Atlas/ModeCompression.h"
+#include "Logic/Biomechanics/MeshPlaces.h"
+#include "Logic/Core/Errors.h"
+#include "Logic/Core/Parallel.h"
+#include "Logic/Geometry/Subdivision.h"
+
+namespace falciform {
+
+AtlasModel::AtlasModel(const Surface& preop, std::shared_ptr<const Atlas> atlas)
+    : preop_(preop), atlas_(std::move(atlas)) {
+  checkSurface(preop, "the pre-operative surface");
+  if (atlas_->modes.empty())
+    throw InputError("the atlas has no deformations: every member leaves the liver as it is; build another");
+  constexpr double kFineEdgeMm = 2.5;
+  fine_ = subdividedTo(preop, kFineEdgeMm);
+  const MeshPlaces places(atlas_->mesh, fine_.points);
+  modes_.resize(3 * fine_.size(), atlas_->rank());
+  forEachChunk(atlas_->modes.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Points there(places.interpolate(atlas_->modes[k]));
+      modes_.col(static_cast<Index>(k)) =
+          Eigen::Map<const VectorXd>(there.data(), there.size()).cast<float>();
+    }
+  });
+}
+
+Points AtlasModel::movedPoints(const VectorXd& coefficients) const {
+  Points moved = fine_.points;
+  const Eigen::VectorXf c = coefficients.cast<float>();
+  forEachChunk(static_cast<std::size_t>(moved.rows()), 2048, [&](std::size_t first, std::size_t last) {
+    for (auto p = static_cast<Index>(first); p < static_cast<Index>(last); ++p)
+      moved.row(p) += (modesAt(p) * c).cast<double>().transpose();
+  });
+  return moved;
+}
+
+Points AtlasModel::displacements(const VectorXd& coefficients) const {
+  return fieldOf(atlas_->modes, coefficients.transpose());
+}
+
+}  // namespace falciform
