@@ -23,7 +23,7 @@
 #include "Widgets/Jobs/JobBar.h"
 #include "Widgets/Jobs/LogView.h"
 #include "Widgets/Views/CaseTree.h"
-#include "Widgets/Views/CaseView3D.h"
+#include "Widgets/Views/CaseViews.h"
 
 namespace falciform {
 namespace {
@@ -53,12 +53,12 @@ MainWindow::MainWindow(Workbench& bench)
     : bench_(bench),
       selector_(new QComboBox(this)),
       panels_(new QStackedWidget(this)),
-      view_(new CaseView3D(bench.document, bench.view, bench.painting, this)),
+      views_(new CaseViews(bench.document, bench.view, bench.painting, this)),
       recent_(new RecentCases(this)),
       actions_(new CaseActions(bench, *recent_, this)),
       opener_(new FileOpener(bench, *actions_, this)) {
   setObjectName("mainWindow");
-  setCentralWidget(view_);
+  setCentralWidget(views_);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   addModules();
   addTreeAndLog();
@@ -133,7 +133,7 @@ void MainWindow::addTreeAndLog() {
 }
 
 void MainWindow::addMenus() {
-  Menus::Targets targets{*actions_, *recent_, *view_, bench_};
+  Menus::Targets targets{*actions_, *recent_, *view(), bench_};
   targets.openFile = [this] {
     QSettings settings;
     const QStringList files =
@@ -146,6 +146,8 @@ void MainWindow::addMenus() {
   targets.close = [this] { close(); };
   Menus::addTo(*this, targets);
 }
+
+CaseView3D* MainWindow::view() const { return views_->main(); }
 
 void MainWindow::open(const QStringList& files) { opener_->open(files); }
 
@@ -184,7 +186,7 @@ void MainWindow::savePicture(const QString& suggestedName) {
   if (!file.endsWith(".png", Qt::CaseInsensitive)) file += ".png";
   bench_.runner.start(
       tr("Saving the picture"),
-      [write = view_->picture(), path = file.toStdString()](const Progress& progress) {
+      [write = view()->picture(), path = file.toStdString()](const Progress& progress) {
         progress.report(0, "writing");
         write(path);
       },

@@ -11,6 +11,7 @@ namespace falciform {
 
 class CaseActions;
 class CaseView3D;
+class CaseViews;
 class FileOpener;
 class ModulePanel;
 class RecentCases;
@@ -30,7 +31,8 @@ class MainWindow : public QMainWindow {
   /// Shows the module with this key of moduleList(); unknown keys are ignored.
   void showModule(const QString& key);
   [[nodiscard]] ModulePanel* currentPanel() const;
-  [[nodiscard]] CaseView3D* view() const { return view_; }
+  [[nodiscard]] CaseView3D* view() const;
+  [[nodiscard]] CaseViews& views() const { return *views_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -46,7 +48,7 @@ class MainWindow : public QMainWindow {
   Workbench& bench_;
   QComboBox* selector_;
   QStackedWidget* panels_;
-  CaseView3D* view_;
+  CaseViews* views_;
   RecentCases* recent_;
   CaseActions* actions_;
   FileOpener* opener_;

@@ -1,7 +1,6 @@
 #include "Modules/AtlasUpdate/SupportWords.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 
 namespace falciform {
 namespace {
@@ -56,18 +55,6 @@ std::vector<std::string> deformationWarnings(const SupportLogic::Answer& answer)
             .arg(100 * check.minDetJ, 0, 'f', 0)
             .toStdString());
   return warnings;
-}
-
-QString updateNeeds(const Case& document) {
-  const auto line = [](bool have, const QString& text) {
-    return QString("%1 %2").arg(have ? QString::fromUtf8("✓") : QString::fromUtf8("–"), text.toHtmlEscaped());
-  };
-  const bool registered = document.registration() && !document.registrationStale();
-  return QStringList{line(document.preop() != nullptr, tr("a pre-operative surface")),
-                     line(document.scan() != nullptr, tr("an intra-operative scan")),
-                     line(registered, tr("an up-to-date registration of the two")),
-                     line(false, tr("the fit of a deformation atlas (not in this window)"))}
-      .join("<br>");
 }
 
 }  // namespace falciform

@@ -5,7 +5,7 @@
 
 namespace falciform {
 
-// What the atlas panel says, apart from where it says it.
+// What the page of supports says, apart from where it says it.
 
 /// "22,002 nodes, 15,333 elements, mean edge 12 mm".
 [[nodiscard]] QString modelWords(const SupportModel& model);
@@ -17,7 +17,5 @@ namespace falciform {
 [[nodiscard]] QString deformationWords(const DeformedLiver& liver);
 /// Inverted elements, nearly flattened ones, supports too small to count.
 [[nodiscard]] std::vector<std::string> deformationWarnings(const SupportLogic::Answer& answer);
-/// What the later update needs, with ticks for what the case has; rich text.
-[[nodiscard]] QString updateNeeds(const Case& document);
 
 }  // namespace falciform

@@ -1,4 +1,4 @@
-#include "Modules/AtlasUpdate/AtlasUpdatePanel.h"
+#include "Modules/AtlasUpdate/SupportsPage.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -17,17 +17,16 @@
 
 namespace falciform {
 
-AtlasUpdatePanel::AtlasUpdatePanel(Workbench& workbench, QWidget* parent)
+SupportsPage::SupportsPage(Workbench& workbench, QWidget* parent)
     : ModulePanel(workbench,
                   tr("How the liver deforms when it is packed, held or turned: paint what holds it, and move "
-                     "the sliders."),
+                     "the sliders. Computed, not measured: the scan has no part in it."),
                   parent),
       logic_(document()),
       live_(new LiveDeformation(logic_, workbench.view, workbench.runner.mode(), this)) {
   addModel();
   addSupports();
   addLive();
-  addUpdate();
   viewChanged_ = bench().view.changed.connect([this] {
     if (entered_) refresh();
   });
@@ -35,14 +34,14 @@ AtlasUpdatePanel::AtlasUpdatePanel(Workbench& workbench, QWidget* parent)
     if (entered_ && bench().painting.label > 0) chosen_ = bench().painting.label;
     if (entered_) refresh();
   });
-  connect(live_, &LiveDeformation::changed, this, &AtlasUpdatePanel::showLiver);
+  connect(live_, &LiveDeformation::changed, this, &SupportsPage::showLiver);
   start();
   showLiver();
 }
 
-AtlasUpdatePanel::~AtlasUpdatePanel() = default;
+SupportsPage::~SupportsPage() = default;
 
-void AtlasUpdatePanel::addModel() {
+void SupportsPage::addModel() {
   auto* group = addGroup(tr("Model of the liver"));
   modelForm_ =
       new SettingsForm(logic_.settings, {"edgeLengthMm", "youngsModulusKPa", "poissonsRatio"}, {}, this);
@@ -58,11 +57,11 @@ void AtlasUpdatePanel::addModel() {
   group->addWidget(missing_);
   facts_ = wrappedLabel("modelFacts", this);
   group->addWidget(facts_);
-  connect(prepare_, &QPushButton::clicked, this, &AtlasUpdatePanel::prepareModel);
+  connect(prepare_, &QPushButton::clicked, this, &SupportsPage::prepareModel);
   connect(modelForm_, &SettingsForm::edited, this, [this] { refresh(); });
 }
 
-void AtlasUpdatePanel::addSupports() {
+void SupportsPage::addSupports() {
   auto* group = addGroup(tr("Supports"));
   templateForm_ =
       new SettingsForm(logic_.templateSettings, {"posture", "extentMm"}, {"pushMm", "turnDeg"}, this);
@@ -85,14 +84,14 @@ void AtlasUpdatePanel::addSupports() {
   group->addLayout(pushRow);
   brush_ = new SupportBrush(bench(), this);
   group->addWidget(brush_);
-  connect(fill_, &QPushButton::clicked, this, &AtlasUpdatePanel::fillTemplate);
+  connect(fill_, &QPushButton::clicked, this, &SupportsPage::fillTemplate);
   connect(table_, &SupportTable::kindChosen, this, [this](int label, SupportRegionKind kind) {
     edit([&](SupportPainting& painting) { painting.regions[label].kind = kind; });
   });
   connect(push_, &SliderBox::moved, this, [this](double mm) {
     edit([&](SupportPainting& painting) { painting.regions[chosen_].pushMm = mm; });
   });
-  connect(table_, &SupportTable::choiceMade, this, &AtlasUpdatePanel::choose);
+  connect(table_, &SupportTable::choiceMade, this, &SupportsPage::choose);
   connect(brush_, &SupportBrush::changed, this, [this] { refresh(); });
   connect(brush_, &SupportBrush::newRegionWanted, this, [this] {
     bool accepted = false;
@@ -102,7 +101,7 @@ void AtlasUpdatePanel::addSupports() {
   });
 }
 
-void AtlasUpdatePanel::addLive() {
+void SupportsPage::addLive() {
   auto* group = addGroup(tr("The liver as it is held"));
   auto* form = new QFormLayout;
   turn_ = new SliderBox("turnDeg", {-45, 45, 1, -90, 90}, QString::fromUtf8("°"), this);
@@ -127,21 +126,7 @@ void AtlasUpdatePanel::addLive() {
   });
 }
 
-void AtlasUpdatePanel::addUpdate() {
-  auto* group = addGroup(tr("What the update waits for"));
-  needs_ = wrappedLabel("atlasNeeds", this);
-  needs_->setTextFormat(Qt::RichText);
-  group->addWidget(needs_);
-  QLabel* words = wrappedLabel("atlasNotYet", this);
-  words->setText(tr(
-      "Moving tumours and vessels to where the liver in the scan has carried them needs a deformation "
-      "atlas that is fitted to the scan (thesis ch. V). The window does not fit one; on the command line, "
-      "\"falciform atlas build\" makes the atlas and \"falciform update\" fits it. What the sliders show is "
-      "computed from the supports that you painted, not measured."));
-  group->addWidget(words);
-}
-
-void AtlasUpdatePanel::enter() {
+void SupportsPage::enter() {
   entered_ = true;
   targetBefore_ = bench().painting.target;
   labelBefore_ = bench().painting.label;
@@ -156,7 +141,7 @@ void AtlasUpdatePanel::enter() {
   refresh();
 }
 
-void AtlasUpdatePanel::leave() {
+void SupportsPage::leave() {
   entered_ = false;
   bench().view.edit([](ViewOptions& options) { options.painting = options.supportsShown = false; });
   live_->hide();
@@ -164,11 +149,11 @@ void AtlasUpdatePanel::leave() {
   bench().painting.label = labelBefore_;
 }
 
-void AtlasUpdatePanel::caseChanged(Case::Part part) {
+void SupportsPage::caseChanged(Case::Part part) {
   if (entered_ && (part == Case::Part::Supports || part == Case::Part::Preop)) live_->update();
 }
 
-void AtlasUpdatePanel::prepareModel() {
+void SupportsPage::prepareModel() {
   bench().runner.start(
       tr("Preparing the model"), logic_.prepare(), [this](std::shared_ptr<const SupportModel> model) {
         if (!logic_.accept(std::move(model))) {
@@ -182,7 +167,7 @@ void AtlasUpdatePanel::prepareModel() {
       });
 }
 
-void AtlasUpdatePanel::fillTemplate() {
+void SupportsPage::fillTemplate() {
   if (!logic_.model() || bench().painting.inStroke()) return;
   SupportPainting filled = logic_.templatePainting();
   const std::vector<int> labels = filled.labels;
@@ -193,13 +178,13 @@ void AtlasUpdatePanel::fillTemplate() {
   refresh();
 }
 
-void AtlasUpdatePanel::choose(int label) {
+void SupportsPage::choose(int label) {
   chosen_ = label;
   if (entered_) bench().painting.label = label;
   refresh();
 }
 
-void AtlasUpdatePanel::addRegion(const QString& name) {
+void SupportsPage::addRegion(const QString& name) {
   if (!logic_.supports()) return;
   int next = support_label::kFirstNamed;
   while (logic_.supports()->regions.contains(next)) ++next;
@@ -210,14 +195,14 @@ void AtlasUpdatePanel::addRegion(const QString& name) {
   choose(next);
 }
 
-void AtlasUpdatePanel::edit(const std::function<void(SupportPainting&)>& change) {
+void SupportsPage::edit(const std::function<void(SupportPainting&)>& change) {
   if (!logic_.supports()) return;
   SupportPainting painting = *logic_.supports();
   change(painting);
   document().setSupports(std::make_shared<const SupportPainting>(std::move(painting)));
 }
 
-void AtlasUpdatePanel::refresh() {
+void SupportsPage::refresh() {
   showReadiness(prepare_, missing_, logic_.missingInput());
   facts_->setText(modelState(logic_));
   facts_->setVisible(logic_.missingInput().empty());
@@ -242,10 +227,9 @@ void AtlasUpdatePanel::refresh() {
     const QSignalBlocker quiet(colours_);
     colours_->setChecked(bench().view.options().displacementColours);
   }
-  needs_->setText(updateNeeds(document()));
 }
 
-void AtlasUpdatePanel::showLiver() {
+void SupportsPage::showLiver() {
   const SupportLogic::Answer* shown = live_->shown();
   liveMissing_->setText(shown ? QString() : !live_->missing().isEmpty() ? live_->missing() : tr("At rest."));
   liveMissing_->setVisible(!shown);

@@ -12,14 +12,14 @@ class SliderBox;
 class SupportBrush;
 class SupportTable;
 
-/// The mechanical model of the liver, the supports painted on it, and the liver as they move it, live. The
-/// update of tumours and vessels that all this is for waits for an atlas; the panel says so.
-class AtlasUpdatePanel : public ModulePanel {
+/// The mechanical model of the liver, the supports painted on it, and the liver as they move it, live: to try
+/// what packing does. The scan has no part in it; UpdatePage follows the scan.
+class SupportsPage : public ModulePanel {
   Q_OBJECT
 
  public:
-  explicit AtlasUpdatePanel(Workbench& workbench, QWidget* parent = nullptr);
-  ~AtlasUpdatePanel() override;
+  explicit SupportsPage(Workbench& workbench, QWidget* parent = nullptr);
+  ~SupportsPage() override;
 
   [[nodiscard]] SupportLogic& logic() { return logic_; }
   void enter() override;
@@ -35,7 +35,6 @@ class AtlasUpdatePanel : public ModulePanel {
   void addModel();
   void addSupports();
   void addLive();
-  void addUpdate();
   void prepareModel();
   void fillTemplate();
   void choose(int label);
@@ -52,7 +51,7 @@ class AtlasUpdatePanel : public ModulePanel {
   int labelBefore_ = patch::kFalciform;
   SettingsForm *modelForm_, *templateForm_;
   QPushButton *prepare_, *fill_;
-  QLabel *missing_, *facts_, *liveMissing_, *figures_, *warnings_, *needs_;
+  QLabel *missing_, *facts_, *liveMissing_, *figures_, *warnings_;
   SupportTable* table_;
   SupportBrush* brush_;
   SliderBox *push_, *turn_;

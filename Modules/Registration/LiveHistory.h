@@ -1,39 +1,19 @@
 #pragma once
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "Logic/Registration/SurfaceRegistration.h"
+#include "Widgets/Jobs/LiveRecords.h"
 
 namespace falciform {
 
-/// Iterations of the running registration: the job's thread writes, the panel looks a few times a second. The
-/// one place where two threads share something that changes, hence the lock.
-class LiveHistory {
+/// Iterations of the running registration.
+class LiveHistory : public LiveRecords<IterationRecord> {
  public:
-  /// To be handed to the job. A record numbered 1 begins a new start and forgets the last one.
+  /// To be handed to the job.
   [[nodiscard]] static IterationObserver observerOf(const std::shared_ptr<LiveHistory>& history) {
     return [history](const IterationRecord& record) { history->add(record); };
   }
-
-  [[nodiscard]] std::vector<IterationRecord> records() const {
-    const std::lock_guard lock(mutex_);
-    return records_;
-  }
-  [[nodiscard]] std::size_t size() const {
-    const std::lock_guard lock(mutex_);
-    return records_.size();
-  }
-
- private:
-  void add(const IterationRecord& record) {
-    const std::lock_guard lock(mutex_);
-    if (record.iteration == 1) records_.clear();
-    records_.push_back(record);
-  }
-
-  mutable std::mutex mutex_;
-  std::vector<IterationRecord> records_;
 };
 
 /// What is known of a registration that the user stopped: the pose and residual of its last iteration. All

@@ -71,18 +71,5 @@ TEST(ModuleList, StandsInTheOrderOfTheWork) {
                                             "DeformationAnalysis", "AtlasUpdate"}));
 }
 
-TEST_F(PanelTest, TheAtlasModuleSaysInWordsWhatItWaitsFor) {
-  const std::unique_ptr<ModulePanel> panel(moduleList().back().makePanel(bench, nullptr));
-  EXPECT_NE(words(*panel, "atlasNotYet").find("deformation atlas"), std::string::npos);
-  const auto ticks = [&] {
-    return QString::fromStdString(words(*panel, "atlasNeeds")).count(QString::fromUtf8("✓"));
-  };
-  EXPECT_EQ(ticks(), 0);
-  openPreopAndScan();
-  EXPECT_EQ(ticks(), 2);
-  bench.document.setRegistration(std::make_shared<const RegistrationResult>());
-  EXPECT_EQ(ticks(), 3);
-}
-
 }  // namespace
 }  // namespace falciform::test

@@ -7,7 +7,7 @@
 
 #include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Core/Results.h"
-#include "Modules/AtlasUpdate/AtlasUpdatePanel.h"
+#include "Modules/AtlasUpdate/SupportsPage.h"
 #include "Testing/Modules/PanelFixture.h"
 
 namespace falciform::test {
@@ -34,8 +34,8 @@ std::shared_ptr<const SupportModel> coarseModel() {
   return made;
 }
 
-struct AtlasUpdatePanelTest : PanelTest {
-  AtlasUpdatePanel panel{bench};
+struct SupportsPageTest : PanelTest {
+  SupportsPage panel{bench};
 
   void openPrepared() {
     bench.document.setPreop(liver());
@@ -48,7 +48,7 @@ struct AtlasUpdatePanelTest : PanelTest {
   }
 };
 
-TEST_F(AtlasUpdatePanelTest, SaysWhatIsMissingStepByStep) {
+TEST_F(SupportsPageTest, SaysWhatIsMissingStepByStep) {
   panel.enter();
   EXPECT_FALSE(isEnabled(panel, "prepareModel"));
   EXPECT_THAT(words(panel, "missing"), HasSubstr("surface"));
@@ -60,7 +60,7 @@ TEST_F(AtlasUpdatePanelTest, SaysWhatIsMissingStepByStep) {
   EXPECT_FALSE(isEnabled(panel, "fillTemplate"));
 }
 
-TEST_F(AtlasUpdatePanelTest, TheButtonPreparesWithTheFormsSettings) {
+TEST_F(SupportsPageTest, TheButtonPreparesWithTheFormsSettings) {
   bench.document.setPreop(liver());
   panel.enter();
   child<QDoubleSpinBox>(panel, "edgeLengthMm").setValue(25);
@@ -74,7 +74,7 @@ TEST_F(AtlasUpdatePanelTest, TheButtonPreparesWithTheFormsSettings) {
   EXPECT_THAT(words(panel, "modelFacts"), HasSubstr("prepare it again"));
 }
 
-TEST_F(AtlasUpdatePanelTest, ATemplateFillsThePaintingAndTheLiverMoves) {
+TEST_F(SupportsPageTest, ATemplateFillsThePaintingAndTheLiverMoves) {
   openPrepared();
   EXPECT_FALSE(moved());
   click(panel, "fillTemplate");
@@ -92,7 +92,7 @@ TEST_F(AtlasUpdatePanelTest, ATemplateFillsThePaintingAndTheLiverMoves) {
   EXPECT_THAT(words(panel, "liveMissing"), HasSubstr("template"));
 }
 
-TEST_F(AtlasUpdatePanelTest, TheSliderMovesTheLiverInProportion) {
+TEST_F(SupportsPageTest, TheSliderMovesTheLiverInProportion) {
   openPrepared();
   click(panel, "fillTemplate");
   const Points at20 = moved()->points - liver()->points;
@@ -104,7 +104,7 @@ TEST_F(AtlasUpdatePanelTest, TheSliderMovesTheLiverInProportion) {
   EXPECT_TRUE(bench.painting.canUndo()) << "the slider leaves the painter's steps alone";
 }
 
-TEST_F(AtlasUpdatePanelTest, TurningThePatientMovesTheLiverToTheLeft) {
+TEST_F(SupportsPageTest, TurningThePatientMovesTheLiverToTheLeft) {
   openPrepared();
   auto& posture = child<QComboBox>(panel, "posture");
   posture.setCurrentIndex(static_cast<int>(SupportTemplate::TurnedLeft));
@@ -117,7 +117,7 @@ TEST_F(AtlasUpdatePanelTest, TurningThePatientMovesTheLiverToTheLeft) {
   EXPECT_EQ(largestMm(), 0);
 }
 
-TEST_F(AtlasUpdatePanelTest, AnotherKindIsAnotherAnswer) {
+TEST_F(SupportsPageTest, AnotherKindIsAnotherAnswer) {
   openPrepared();
   click(panel, "fillTemplate");
   auto& kind = child<QComboBox>(panel, "kind_3");
@@ -128,7 +128,7 @@ TEST_F(AtlasUpdatePanelTest, AnotherKindIsAnotherAnswer) {
   EXPECT_EQ(largestMm(), 0);
 }
 
-TEST_F(AtlasUpdatePanelTest, PaintsWhatIsChosenAndSaysWhatAHalfPaintedLiverLacks) {
+TEST_F(SupportsPageTest, PaintsWhatIsChosenAndSaysWhatAHalfPaintedLiverLacks) {
   openPrepared();
   child<QTableWidget>(panel, "supportTable").setCurrentCell(0, 0);
   EXPECT_EQ(bench.painting.target, PaintTarget::Supports);
@@ -146,7 +146,7 @@ TEST_F(AtlasUpdatePanelTest, PaintsWhatIsChosenAndSaysWhatAHalfPaintedLiverLacks
   EXPECT_EQ(bench.painting.label, 5);
 }
 
-TEST_F(AtlasUpdatePanelTest, LeavingGivesBrushAndViewBack) {
+TEST_F(SupportsPageTest, LeavingGivesBrushAndViewBack) {
   bench.painting.target = PaintTarget::Scan;
   bench.painting.label = patch::kInferiorRidge;
   openPrepared();
@@ -163,7 +163,7 @@ TEST_F(AtlasUpdatePanelTest, LeavingGivesBrushAndViewBack) {
   EXPECT_TRUE(moved()) << "what was painted is answered again";
 }
 
-TEST_F(AtlasUpdatePanelTest, ALiverOfAnotherShapeDropsModelAndSupports) {
+TEST_F(SupportsPageTest, ALiverOfAnotherShapeDropsModelAndSupports) {
   openPrepared();
   click(panel, "fillTemplate");
   Surface other = *liver();

@@ -7,6 +7,8 @@ namespace falciform {
 // All colours: red, green, blue in [0, 1].
 
 inline const Vector3d kLiverColour{0.80, 0.52, 0.42};
+/// Of what is drawn where it was before it moved.
+inline const Vector3d kBeforeColour{0.90, 0.60, 0.00};
 inline const Vector3d kScanColour{0.74, 0.70, 0.68};  ///< of a scan without colours of its own
 
 /// Colour of a patch label above 0: the palette of Okabe and Ito (2008), which the colour blind can tell

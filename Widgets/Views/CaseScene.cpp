@@ -15,6 +15,7 @@ namespace falciform {
 namespace {
 
 constexpr int kLandmarkPx = 12;
+constexpr double kGhostOpacity = 0.45;
 
 SurfaceStyle styleOf(const PartLook& look) {
   SurfaceStyle style;
@@ -54,7 +55,7 @@ struct CaseScene::Wanted {
   std::shared_ptr<const Surface> preop, scan;
   Isometry3d sceneFromPreop = Isometry3d::Identity(), sceneFromScan = Isometry3d::Identity();
   std::optional<ScalarMap> preopMap, scanMap;
-  bool distance = false, supports = false, deformed = false;
+  bool distance = false, supports = false, deformed = false, update = false;
   [[nodiscard]] bool bar() const { return preopMap || scanMap; }
 };
 
@@ -89,7 +90,11 @@ CaseScene::Wanted CaseScene::wanted() const {
   result.deformed = options.liveDeformed && !options.painting && result.preop &&
                     options.liveDeformed->size() == result.preop->size();
   if (result.deformed) result.preop = options.liveDeformed;
-  if (result.deformed && options.displacementColours) {
+  result.update = result.deformed && options.updateShown;
+  if (result.update) {
+    if (options.updateColours && result.preop->arrays.contains(options.updateColours->array))
+      result.preopMap = options.updateColours;
+  } else if (result.deformed && options.displacementColours) {
     result.preopMap = ScalarMap{kDisplacement,    "Displacement",     "mm", 0, options.displacementLimitMm,
                                 OutOfRange::Ends, Palette::Sequential};
   } else if (result.preop && options.supportsShown) {
@@ -139,6 +144,7 @@ bool CaseScene::follow() {
     // The other side lies on the coloured one and would hide or tint the colours.
     (onScan ? preopStyle : scanStyle).visible = false;
   }
+  if (now.update && now.preopMap) scanStyle.visible = false;
   if (now.supports && case_.supports())
     for (const auto& [label, region] : case_.supports()->regions)
       preopStyle.patchColours[label] = supportColour(region.kind, label);
@@ -147,7 +153,7 @@ bool CaseScene::follow() {
     for (const int label : patchLabels(*now.scan)) scanStyle.patchColours[label] = scanPatchColour(label);
   draw(preop_, now.preop, now.sceneFromPreop, now.preopMap, preopStyle);
   draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
-  followStructures(!scanAlone() && !now.deformed);  // they have moved as well, and nobody has said where to
+  followStructures(now);
   followLandmarks();
   followTexts(now);
   scene_.orientation().setVisible(!scanAlone() || case_.registration() != nullptr);
@@ -180,20 +186,35 @@ bool CaseScene::follow() {
   return news;
 }
 
-void CaseScene::followStructures(bool visible) {
+void CaseScene::followStructures(const Wanted& now) {
+  const ViewOptions& options = view_.options();
   for (const auto& [name, surface] : case_.structures()) {
-    SurfacePresenter*& presenter = structures_[name];
-    if (!presenter) presenter = &scene_.add<SurfacePresenter>();
-    SurfaceStyle style = styleOf(view_.look(part::structure(name)));
-    style.visible = style.visible && visible;
-    presenter->setStyle(style);
-    if (presenter->surface() != surface) presenter->show(surface);
+    const auto moved = options.movedStructures.find(name);
+    const bool elsewhere = now.update && moved != options.movedStructures.end();
+    // A liver that supports move has moved them as well, and nobody has said where to.
+    drawStructure(name, elsewhere ? moved->second : surface, structures_[name],
+                  !scanAlone() && (!now.deformed || now.update), false);
+    drawStructure(name, surface, ghosts_[name], elsewhere && options.structuresBefore, true);
   }
-  std::erase_if(structures_, [&](const auto& entry) {
-    const bool gone = !case_.structures().count(entry.first);
-    if (gone) scene_.remove(*entry.second);
-    return gone;
-  });
+  for (auto* list : {&structures_, &ghosts_})
+    std::erase_if(*list, [&](const auto& entry) {
+      const bool gone = !case_.structures().count(entry.first);
+      if (gone) scene_.remove(*entry.second);
+      return gone;
+    });
+}
+
+void CaseScene::drawStructure(const std::string& name, const std::shared_ptr<const Surface>& surface,
+                              SurfacePresenter*& presenter, bool visible, bool ghost) {
+  if (!presenter) presenter = &scene_.add<SurfacePresenter>();
+  SurfaceStyle style = styleOf(view_.look(part::structure(name)));
+  style.visible = style.visible && visible;
+  if (ghost) {
+    style.colour = kBeforeColour;
+    style.opacity *= kGhostOpacity;
+  }
+  presenter->setStyle(style);
+  if (presenter->surface() != surface && style.visible) presenter->show(surface);
 }
 
 void CaseScene::followLandmarks() {

@@ -55,7 +55,9 @@ class CaseScene {
   [[nodiscard]] bool scanOutOfSight() const;
   [[nodiscard]] std::shared_ptr<const Surface> withSupports(
       const std::shared_ptr<const Surface>& liver) const;
-  void followStructures(bool visible);
+  void followStructures(const Wanted& wanted);
+  void drawStructure(const std::string& name, const std::shared_ptr<const Surface>& surface,
+                     SurfacePresenter*& presenter, bool visible, bool ghost);
   void followLandmarks();
   void followTexts(const Wanted& wanted);
 
@@ -67,7 +69,7 @@ class CaseScene {
   ColourBarPresenter& bar_;
   LegendPresenter& legend_;
   TextPresenter& title_;
-  std::map<std::string, SurfacePresenter*> structures_;
+  std::map<std::string, SurfacePresenter*> structures_, ghosts_;
   struct Supported {
     std::shared_ptr<const Surface> liver;
     std::shared_ptr<const SupportPainting> painting;

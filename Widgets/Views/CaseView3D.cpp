@@ -1,6 +1,8 @@
 #include "Widgets/Views/CaseView3D.h"
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
@@ -45,6 +47,10 @@ struct CaseView3D::Parts {
   QLabel* probeText = nullptr;
   QTimer* followTimer = nullptr;
   QTimer* probeTimer = nullptr;
+  QTimer* renderTimer = nullptr;  // only where the camera is shared
+  vtkSmartPointer<vtkCamera> camera;
+  unsigned long cameraWatch = 0;
+  vtkMTimeType drawnCamera = 0;
   QPoint mouse;
   bool fitWanted = true;
   Connection caseChanged, viewChanged;
@@ -114,6 +120,7 @@ CaseView3D::~CaseView3D() {
   parts_->style->onLeave = nullptr;
   parts_->style->stopPainting();
   parts_->mover->stopMoving();
+  if (parts_->camera) parts_->camera->RemoveObserver(parts_->cameraWatch);
   parts_->scene.scene().detach();
 }
 
@@ -166,7 +173,7 @@ void CaseView3D::follow() {
     parts_->fitWanted = false;
     fit();  // renders
   } else {
-    parts_->window->Render();
+    render();
   }
   // What lies under a resting mouse may have changed as well.
   if (parts_->canvas->underMouse()) parts_->probeTimer->start();
@@ -210,13 +217,44 @@ void CaseView3D::followMoving() {
 void CaseView3D::fit() {
   const QSizeF size = QSizeF(parts_->canvas->size()) * parts_->canvas->devicePixelRatioF();
   parts_->scene.fit(std::max(1.0, size.width()), std::max(1.0, size.height()));
-  parts_->window->Render();
+  render();
 }
 
 std::function<void(const std::filesystem::path&)> CaseView3D::picture() {
   follow();
   auto image = std::make_shared<const RenderedImage>(falciform::grab(parts_->window));
   return [image](const std::filesystem::path& file) { savePng(*image, file, Overwrite::Replace); };
+}
+
+void CaseView3D::shareCamera(CaseView3D& other) {
+  parts_->scene.scene().renderer()->SetActiveCamera(
+      other.parts_->scene.scene().renderer()->GetActiveCamera());
+  watchCamera();
+  other.watchCamera();
+}
+
+/// Draws anew when somebody else has moved the camera; several moves in a row once.
+void CaseView3D::watchCamera() {
+  if (parts_->renderTimer) return;
+  parts_->renderTimer = new QTimer(this);
+  parts_->renderTimer->setSingleShot(true);
+  connect(parts_->renderTimer, &QTimer::timeout, this, [this] {
+    vtkRenderer* renderer = parts_->scene.scene().renderer();
+    if (parts_->canvas->isVisible() && renderer->GetActiveCamera()->GetMTime() != parts_->drawnCamera)
+      render();
+  });
+  vtkNew<vtkCallbackCommand> moved;
+  moved->SetClientData(parts_->renderTimer);
+  moved->SetCallback([](vtkObject*, unsigned long, void* timer, void*) {
+    if (!static_cast<QTimer*>(timer)->isActive()) static_cast<QTimer*>(timer)->start(0);
+  });
+  parts_->camera = parts_->scene.scene().renderer()->GetActiveCamera();
+  parts_->cameraWatch = parts_->camera->AddObserver(vtkCommand::ModifiedEvent, moved);
+}
+
+void CaseView3D::render() {
+  parts_->window->Render();
+  parts_->drawnCamera = parts_->scene.scene().renderer()->GetActiveCamera()->GetMTime();
 }
 
 QPoint CaseView3D::canvasPosition(const Vector3d& pointInScene) const {

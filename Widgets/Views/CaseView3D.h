@@ -28,6 +28,9 @@ class CaseView3D : public QWidget {
   /// Takes the picture now; the function returned writes it as PNG, on any thread, replacing an old file.
   [[nodiscard]] std::function<void(const std::filesystem::path&)> picture();
 
+  /// Looks from where `other` looks, from now on and both ways.
+  void shareCamera(CaseView3D& other);
+
   /// Where a point of the scene (mm) is drawn, in this widget's canvas, origin top left.
   [[nodiscard]] QPoint canvasPosition(const Vector3d& pointInScene) const;
   [[nodiscard]] QWidget* canvas() const;
@@ -38,6 +41,8 @@ class CaseView3D : public QWidget {
  private:
   void addToolBar();
   void followSoon();
+  void watchCamera();
+  void render();
   void follow();
   void followPainting();
   void followMoving();

@@ -8,6 +8,7 @@
 #include "Logic/Core/Signal.h"
 #include "Logic/Core/Surface.h"
 #include "Logic/Core/Types.h"
+#include "Widgets/Rendering/ScalarMap.h"
 
 namespace falciform {
 
@@ -48,12 +49,21 @@ struct ViewOptions {
   double distanceLimitMm = 10;                ///< colours run from minus this to plus this
   bool painting = false;                      ///< left drag paints
   bool supportsShown = false;                 ///< painted supports on the liver in place of its patches
-  /// The pre-operative surface as supports move it, with "displacement_mm"; not stored. Painting shows the
-  /// liver at rest.
+  /// The pre-operative surface as supports move it, with "displacement_mm", or as a model update does; not
+  /// stored. Painting shows the liver at rest.
   std::shared_ptr<const Surface> liveDeformed;
-  std::string deformedCaption;      ///< what it is
-  bool displacementColours = true;  ///< how far it has moved as colour, else its supports
-  double displacementLimitMm = 10;  ///< colours run from 0 to this
+  std::string deformedCaption;             ///< what it is
+  bool displacementColours = true;         ///< how far it has moved as colour, else its supports
+  double displacementLimitMm = 10;         ///< colours run from 0 to this
+  bool updateShown = false;                ///< what moves it is a model update: the scan is shown with it,
+  std::optional<ScalarMap> updateColours;  ///< these are its colours, where it has their array,
+  std::map<std::string, std::shared_ptr<const Surface>>
+      movedStructures;            ///< these its structures, pre-op mm,
+  bool structuresBefore = false;  ///< and where they were is drawn as well
+  std::shared_ptr<const Surface>
+      comparedLiver;            ///< beside it in a second view: the liver as only registered,
+  std::string comparedCaption;  ///< and what that is
+  bool slicesShown = false;     ///< CT or label map as three cuts, with outlines
 
   bool operator==(const ViewOptions&) const = default;
 };

@@ -1,0 +1,132 @@
+#include "Modules/AtlasUpdate/UpdateDisplay.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "Logic/Deformation/DistanceMapping.h"
+
+namespace falciform {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("UpdateDisplay", text); }
+
+std::shared_ptr<const Surface> inPreop(const Surface& inScan, const Isometry3d& preopFromScan) {
+  return std::make_shared<const Surface>(transformed(inScan, preopFromScan, "LPS"));
+}
+
+/// Part of the way from one surface to another of the same points; colours those of the nearer end, motion in
+/// proportion.
+std::shared_ptr<const Surface> onTheWay(const std::shared_ptr<const Surface>& from,
+                                        const std::shared_ptr<const Surface>& to, double share) {
+  if (share <= 0) return from;
+  if (share >= 1) return to;
+  auto surface = std::make_shared<Surface>(share < 0.5 ? *from : *to);
+  surface->points = (1 - share) * from->points + share * to->points;
+  surface->normals.resize(0, 3);
+  if (const auto motion = to->arrays.find(kAgainstRigid); motion != to->arrays.end())
+    surface->arrays[kAgainstRigid] = share * motion->second;
+  return surface;
+}
+
+double largestOf(const Surface& surface, const char* array) {
+  const auto found = surface.arrays.find(array);
+  return found == surface.arrays.end() || found->second.size() == 0 ? 0 : found->second.maxCoeff();
+}
+
+}  // namespace
+
+std::shared_ptr<const UpdateMaps> mapsOf(std::shared_ptr<const UpdatedCase> made, const Progress& progress) {
+  auto maps = std::make_shared<UpdateMaps>();
+  const Isometry3d pose = made->registration->scanFromPreop, preopFromScan = pose.inverse();
+  progress.report(0, "Distances to the scan");
+  const DistanceMap rigid = mapDistances(*made->preop, *made->scan, pose, {}, progress.part(0, 0.5));
+  const DistanceMap updated =
+      mapDistances(*made->surface, *made->scan, Isometry3d::Identity(), {}, progress.part(0.5, 1));
+  maps->rigidResidualMm = rigid.scanAll.rms;
+  maps->updatedResidualMm = updated.scanAll.rms;
+
+  auto before = std::make_shared<Surface>(*made->preop);
+  before->arrays[kSignedDistance] = rigid.preop.arrays.at(kSignedDistance);
+  before->arrays[kAgainstRigid] = VectorXd::Zero(before->size());
+  maps->rigid = before;
+  auto after = std::make_shared<Surface>(*inPreop(*made->surface, preopFromScan));
+  after->arrays[kSignedDistance] = updated.preop.arrays.at(kSignedDistance);
+  maps->updated = after;
+  for (const auto& [name, structure] : made->structures) {
+    maps->rigidStructures[name] = made->structuresBefore.at(name);
+    maps->updatedStructures[name] = inPreop(*structure, preopFromScan);
+  }
+  maps->of = std::move(made);
+  return maps;
+}
+
+std::optional<ScalarMap> mapFor(UpdateColours colours, const UpdateMaps& maps) {
+  switch (colours) {
+    case UpdateColours::Plain:
+      return std::nullopt;
+    case UpdateColours::Motion:
+      return magnitudeMap(kAgainstRigid, "Motion against rigid", "mm",
+                          largestOf(*maps.updated, kAgainstRigid));
+    case UpdateColours::Residual:
+      return symmetricMap(kSignedDistance, "Residual (fit)", "mm", {maps.rigid.get(), maps.updated.get()});
+    case UpdateColours::ExpectedError:
+      return magnitudeMap(kExpectedError, "Expected error", "mm", largestOf(*maps.updated, kExpectedError));
+  }
+  return std::nullopt;
+}
+
+QString meaningOf(UpdateColours colours) {
+  switch (colours) {
+    case UpdateColours::Plain:
+      return tr("Patches in their colours, the scan on the liver.");
+    case UpdateColours::Motion:
+      return tr("How far each place lies from where the rigid registration puts it, mm.");
+    case UpdateColours::Residual:
+      return tr(
+          "Distance to the scan, mm; red: the scan lies outside, blue: inside, grey: no scan there. Fit, not "
+          "target error: it may be small where targets are far off.");
+    case UpdateColours::ExpectedError:
+      return tr(
+          "How far each place may be off, mm (root mean square): the update's own estimate, not measured. It "
+          "grows away from the scan.");
+  }
+  return {};
+}
+
+void showUpdate(ViewState& view, const UpdateMaps* maps, const UpdateLook& look) {
+  view.edit([&](ViewOptions& options) {
+    options.slicesShown = look.slices;
+    options.updateShown = maps != nullptr;
+    if (!maps) {
+      options.liveDeformed.reset();
+      options.comparedLiver.reset();
+      options.movedStructures.clear();
+      options.updateColours.reset();
+      return;
+    }
+    const double share = look.share;
+    options.liveDeformed = onTheWay(maps->rigid, maps->updated, share);
+    options.updateColours = mapFor(look.colours, *maps);
+    options.deformedCaption = share >= 1   ? "Model update"
+                              : share <= 0 ? "Rigid registration"
+                                           : "Between rigid registration (0) and update (1)";
+    options.structuresBefore = look.before && share > 0;
+    options.movedStructures.clear();
+    for (const auto& [name, structure] : maps->updatedStructures)
+      options.movedStructures[name] = onTheWay(maps->rigidStructures.at(name), structure, share);
+    options.comparedLiver = look.compare ? maps->rigid : nullptr;
+    options.comparedCaption = "Rigid registration";
+  });
+}
+
+void hideUpdate(ViewState& view) {
+  view.edit([](ViewOptions& options) {
+    if (options.updateShown) options.liveDeformed.reset();
+    options.updateShown = options.slicesShown = options.structuresBefore = false;
+    options.updateColours.reset();
+    options.comparedLiver.reset();
+    options.movedStructures.clear();
+  });
+}
+
+}  // namespace falciform

@@ -1,0 +1,82 @@
+#pragma once
+#include <atomic>
+#include <memory>
+
+#include "Logic/Atlas/ModelUpdateLogic.h"
+#include "Modules/AtlasUpdate/UpdateDisplay.h"
+#include "Modules/AtlasUpdate/UpdateWords.h"
+#include "Modules/ModulePanel.h"
+#include "Widgets/Jobs/LiveRecords.h"
+
+class QCheckBox;
+class QComboBox;
+class QTimer;
+
+namespace falciform {
+
+class PlotWidget;
+class SettingsForm;
+class SliderBox;
+class TargetTable;
+
+/// The model updated from the scan: prepare, update and watch it settle, look at it beside the registration,
+/// and be told how far to trust it.
+class UpdatePage : public ModulePanel {
+  Q_OBJECT
+
+ public:
+  explicit UpdatePage(Workbench& workbench, QWidget* parent = nullptr);
+  ~UpdatePage() override;
+
+  [[nodiscard]] ModelUpdateLogic& logic() { return logic_; }
+  [[nodiscard]] const UpdateMaps* maps() const { return maps_.get(); }
+  void enter() override;
+  void leave() override;
+
+ protected:
+  void refresh() override;
+
+ private:
+  void addModel();
+  void addRun();
+  void addLook();
+  void addConfidence();
+  void addTargets();
+  void addExport();
+  void prepareModel();
+  void runUpdate();
+  void updated(std::shared_ptr<const UpdateMaps> maps);
+  void endRun();
+  void showLive();
+  void showCurves(const std::vector<UpdateRecord>& records);
+  void showInViews();
+  void look(const std::function<void(UpdateLook&)>& change);
+  void seeInside(bool on);
+  void openTargets(FileRole role, const QString& title);
+  QString askWhere(const QString& title, const QString& name, const QString& filter);
+  void saveSurface();
+  void saveTargets();
+
+  ModelUpdateLogic logic_;
+  UpdateLook look_;
+  std::shared_ptr<const UpdateMaps> maps_;
+  std::shared_ptr<LiveRecords<UpdateRecord>> live_;
+  std::shared_ptr<std::atomic<bool>> stopWanted_;
+  std::size_t liveShown_ = 0;
+  bool entered_ = false, running_ = false, preparing_ = false, seeThrough_ = false;
+  double opacityBefore_ = 1;
+  QTimer* timer_;
+  SettingsForm *meshForm_, *fitForm_;
+  QPushButton *prepare_, *cancel_, *update_, *stop_, *rigid_, *updated_;
+  QPushButton *targets_, *truth_, *saveSurface_, *saveTargets_, *savePicture_;
+  QLabel *modelMissing_, *modelFacts_, *missing_, *liveWords_, *figures_, *meaning_, *confidence_, *stale_,
+      *warnings_;
+  QWidget* looks_;
+  PlotWidget* curves_;
+  SliderBox* share_;
+  QComboBox* colours_;
+  QCheckBox *compare_, *slices_, *before_, *inside_;
+  TargetTable* table_;
+};
+
+}  // namespace falciform

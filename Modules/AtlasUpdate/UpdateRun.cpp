@@ -1,0 +1,166 @@
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QTimer>
+#include <limits>
+
+#include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/SurfaceFiles.h"
+#include "Modules/AtlasUpdate/UpdatePage.h"
+#include "Widgets/Views/PlotWidget.h"
+
+// The jobs of the update page: preparing, updating, opening and saving.
+
+namespace falciform {
+namespace {
+
+constexpr Index kSampled = 60;     // places that the running update's expected error is reckoned at
+constexpr int kReckonedEvery = 4;  // iterations; it takes as long as an iteration
+
+Points sampleOf(const Points& points) {
+  const Index step = std::max<Index>(1, points.rows() / kSampled);
+  Points sample((points.rows() + step - 1) / step, 3);
+  for (Index i = 0; i < sample.rows(); ++i) sample.row(i) = points.row(i * step);
+  return sample;
+}
+
+/// Notes each iteration in `live`, on the job's thread, and ends the update when `stop` is set.
+UpdateObserver observerOf(std::shared_ptr<LiveRecords<UpdateRecord>> live,
+                          std::shared_ptr<std::atomic<bool>> stop, std::shared_ptr<const UpdateModel> model) {
+  return [live = std::move(live), stop = std::move(stop), model = std::move(model),
+          sample = sampleOf(model->preop().points)](const UpdateStep& step) {
+    UpdateRecord record{step.iteration, step.rmsMm, step.bendMm, std::numeric_limits<double>::quiet_NaN()};
+    if (step.iteration % kReckonedEvery == 1)
+      record.expectedMm = expectedErrorMm(*model, step.result(), sample).mean();
+    live->add(record);
+    return !stop->load();
+  };
+}
+
+}  // namespace
+
+void UpdatePage::prepareModel() {
+  preparing_ = true;
+  bench().runner.start(
+      tr("Preparing the model"), logic_.prepareModel(),
+      [this](ModelUpdateLogic::Model model) {
+        preparing_ = false;
+        if (!logic_.acceptModel(std::move(model))) {
+          bench().log.warn(tr("The liver changed while its model was prepared: it is dropped."));
+          return;
+        }
+        bench().log.info(tr("Model: %1").arg(updateModelState(logic_)));
+      },
+      [this] { preparing_ = false; });
+}
+
+void UpdatePage::runUpdate() {
+  live_ = std::make_shared<LiveRecords<UpdateRecord>>();
+  stopWanted_ = std::make_shared<std::atomic<bool>>(false);
+  liveShown_ = 0;
+  running_ = true;
+  curves_->clear();
+  liveWords_->clear();
+  timer_->start();
+  logic_.observer = observerOf(live_, stopWanted_, logic_.model());
+  bench().runner.start(
+      tr("Updating the model"),
+      [job = logic_.prepare()](const Progress& progress) {
+        return mapsOf(job(progress.part(0, 0.8)), progress.part(0.8, 1));
+      },
+      [this](std::shared_ptr<const UpdateMaps> maps) { updated(std::move(maps)); },
+      [this] {
+        endRun();
+        bench().log.info(tr("The update was cancelled; what was there before stands."));
+      });
+}
+
+void UpdatePage::updated(std::shared_ptr<const UpdateMaps> maps) {
+  endRun();
+  if (!logic_.accept(maps->of)) {
+    bench().log.warn(tr("The liver was replaced while the model was updated: the result is dropped."));
+    return;
+  }
+  maps_ = std::move(maps);
+  const UpdatedCase& made = *maps_->of;
+  bench().log.info(tr("Updated: %1").arg(updateFigures(made.update)));
+  for (const std::string& warning : updateWarnings(made)) bench().log.warn(QString::fromStdString(warning));
+  look_.share = 1;
+  showInViews();
+}
+
+void UpdatePage::endRun() {
+  preparing_ = false;
+  if (!running_) return;
+  showLive();
+  running_ = false;
+  timer_->stop();
+}
+
+void UpdatePage::showLive() {
+  if (!live_ || live_->size() == liveShown_) return;
+  const std::vector<UpdateRecord> records = live_->records();
+  liveShown_ = records.size();
+  liveWords_->setText(liveWords(records));
+  showCurves(records);
+}
+
+void UpdatePage::showCurves(const std::vector<UpdateRecord>& records) {
+  PlotWidget::Curve rms{tr("RMS residual (fit)"), QColor("#0072b2"), {}, {}};
+  PlotWidget::Curve bend{tr("bending"), QColor("#e69f00"), {}, {}};
+  PlotWidget::Curve expected{tr("expected error"), QColor("#009e73"), {}, {}};
+  for (const UpdateRecord& record : records) {
+    rms.x << record.iteration;
+    rms.y << record.rmsMm;
+    bend.x << record.iteration;
+    bend.y << record.bendMm;
+    if (std::isnan(record.expectedMm)) continue;
+    expected.x << record.iteration;
+    expected.y << record.expectedMm;
+  }
+  curves_->setCurves({rms, bend, expected});
+}
+
+void UpdatePage::openTargets(FileRole role, const QString& title) {
+  const QString file = askForFile(title, tr("Points (*.mrk.json *.fcsv)"));
+  if (!file.isEmpty()) bench().files.open(file.toStdString(), role);
+}
+
+QString UpdatePage::askWhere(const QString& title, const QString& name, const QString& filter) {
+  const QString folder = QSettings().value("lastFolder").toString();
+  return QFileDialog::getSaveFileName(this, title, folder + "/" + name, filter);
+}
+
+void UpdatePage::saveSurface() {
+  const QString file =
+      askWhere(tr("Save the updated surface"), "updated.vtp", tr("Surfaces (*.vtp *.vtk *.ply *.stl *.obj)"));
+  if (file.isEmpty() || !maps_) return;
+  bench().runner.start(
+      tr("Saving the surface"),
+      [made = maps_->of, path = file.toStdString()](const Progress& progress) {
+        progress.report(0, "writing");
+        writeSurface(path, *made->surface, Overwrite::Replace);  // the file dialog has asked already
+      },
+      [this, file] { bench().log.info(tr("Saved %1.").arg(QFileInfo(file).fileName())); });
+}
+
+void UpdatePage::saveTargets() {
+  const QString file =
+      askWhere(tr("Save the updated targets"), "targets_updated.mrk.json", tr("Points (*.mrk.json)"));
+  if (file.isEmpty() || !maps_) return;
+  Landmarks now;
+  now.frame = maps_->of->surface->frame;
+  for (const UpdatedTarget& target : maps_->of->targets)
+    if (!target.structure) now.points.push_back({target.name, target.now});
+  bench().runner.start(
+      tr("Saving the targets"),
+      [now, path = file.toStdString()](const Progress& progress) {
+        progress.report(0, "writing");
+        writeLandmarks(path, now, Overwrite::Replace);
+      },
+      [this, file] { bench().log.info(tr("Saved %1.").arg(QFileInfo(file).fileName())); });
+}
+
+}  // namespace falciform

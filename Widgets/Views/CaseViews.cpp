@@ -1,0 +1,58 @@
+#include "Widgets/Views/CaseViews.h"
+
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "Widgets/Views/CaseSlices.h"
+
+namespace falciform {
+
+CaseViews::CaseViews(Case& document, ViewState& view, PatchPaintingLogic& painting, QWidget* parent)
+    : QWidget(parent),
+      case_(document),
+      view_(view),
+      painting_(painting),
+      rows_(new QSplitter(Qt::Vertical, this)),
+      columns_(new QSplitter(Qt::Horizontal, rows_)),
+      main_(new CaseView3D(document, view, painting, columns_)) {
+  setObjectName("caseViews");
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(rows_);
+  rows_->setChildrenCollapsible(false);
+  columns_->setChildrenCollapsible(false);
+  viewChanged_ = view.changed.connect([this] { follow(); });
+}
+
+CaseViews::~CaseViews() { delete compared_; }  // it follows comparedView_
+
+void CaseViews::follow() {
+  const ViewOptions& options = view_.options();
+  const bool compare = options.updateShown && options.liveDeformed && options.comparedLiver;
+  if (compare) {
+    comparedView_.edit([&](ViewOptions& other) {
+      other = options;
+      other.painting = other.moving = other.structuresBefore = false;
+      other.liveDeformed = options.comparedLiver;
+      other.deformedCaption = options.comparedCaption;
+      other.movedStructures.clear();
+      for (const auto& [name, surface] : case_.structures()) other.movedStructures[name] = surface;
+    });
+    if (!compared_) {
+      compared_ = new CaseView3D(case_, comparedView_, painting_, columns_);
+      compared_->setObjectName("comparedView3D");
+      columns_->insertWidget(0, compared_);
+      compared_->shareCamera(*main_);
+    }
+  }
+  const bool wasCompared = compared_ && compared_->isVisibleTo(this);
+  if (compared_) compared_->setVisible(compare);
+  if (compare && !wasCompared) columns_->setSizes({1000, 1000});
+  if (options.slicesShown && !slices_) {
+    slices_ = new CaseSlices(case_, view_, rows_);
+    rows_->setSizes({1300, 1000});
+  }
+  if (slices_) slices_->setVisible(options.slicesShown);
+}
+
+}  // namespace falciform

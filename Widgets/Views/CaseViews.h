@@ -1,0 +1,39 @@
+#pragma once
+#include <QWidget>
+
+#include "Widgets/Views/CaseView3D.h"
+
+class QSplitter;
+
+namespace falciform {
+
+class CaseSlices;
+
+/// The middle of the window: the 3D view; where the ViewState asks for it a second one beside it that looks
+/// from the same place, and cuts through the CT below. The extra views are made when they are first wanted.
+class CaseViews : public QWidget {
+  Q_OBJECT
+
+ public:
+  CaseViews(Case& document, ViewState& view, PatchPaintingLogic& painting, QWidget* parent = nullptr);
+
+  ~CaseViews() override;
+
+  [[nodiscard]] CaseView3D* main() const { return main_; }
+  [[nodiscard]] CaseView3D* compared() const { return compared_; }  ///< nullptr until it is first wanted
+  [[nodiscard]] CaseSlices* slices() const { return slices_; }      ///< the same
+
+ private:
+  void follow();
+
+  Case& case_;
+  ViewState& view_;
+  PatchPaintingLogic& painting_;
+  ViewState comparedView_;  // before the view that follows it
+  QSplitter *rows_, *columns_;
+  CaseView3D *main_, *compared_ = nullptr;
+  CaseSlices* slices_ = nullptr;
+  Connection viewChanged_;
+};
+
+}  // namespace falciform
