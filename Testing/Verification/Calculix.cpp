@@ -157,7 +157,7 @@ std::string calculixInput(const SharedProblem& problem) {
   writeMaterials(out, problem.body.materials, problem.neoHookean);
   // Load grows from 0 to all of it: by a fifth to begin with, then by a third at most.
   out << equations.str()
-      << (problem.neoHookean ? "*STEP,NLGEOM,INC=200\n*STATIC\n0.2,1.,0.002,0.34\n" : "*STEP\n*STATIC\n")
+      << (problem.neoHookean ? "*STEP,NLGEOM,INC=60\n*STATIC\n0.2,1.,0.01,0.34\n" : "*STEP\n*STATIC\n")
       << "*BOUNDARY\n"
       << values.str();
   writeLoads(out, problem);

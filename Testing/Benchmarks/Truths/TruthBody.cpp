@@ -16,8 +16,10 @@ namespace falciform::bench {
 namespace {
 
 constexpr double kClearanceMm = 25;     // between what is held and what is packed
+constexpr double kDome = 0.25;          // height of a pack by its radius
 constexpr double kTumourDepthMm = 8;    // of tissue over the tumour, at least
 constexpr double kLigamentMm = 12;      // of the falciform ligament's upper end, where held
+constexpr double kLeastDetJ = 0.1;      // beyond, tissue would tear
 constexpr std::uint64_t kTumour = 100;  // stream of its place; the packs' stand in the plan
 
 Vector3d placeOfTumour(const Surface& preop, const TruthPlan& plan) {
@@ -93,7 +95,8 @@ void addPack(const TruthPlan& plan, const Pack& pack, const SupportSites& sites,
       if (taken[static_cast<std::size_t>(node)]) continue;
       taken[static_cast<std::size_t>(node)] = 1;
       const double r = (nodes.row(node).transpose() - siteCentre).norm() / pack.extentMm;
-      const double push = pack.pushMm * (1 - 0.4 * std::min(r * r, 1.0));
+      const double dome = std::min(kDome * pack.extentMm, 0.5 * pack.pushMm);
+      const double push = pack.pushMm - dome * std::min(r * r, 1.0);
       constraints.push_back({.node = node,
                              .count = pack.sticks ? 3 : 1,
                              .frame = frameAlong(direction),
@@ -161,8 +164,8 @@ TruthState solveTruth(const TruthBody& body, const std::filesystem::path& calcul
     }
     TetrahedralMesh moved = problem.body.mesh;
     state.minDetJ = checkDeformation(moved, state.displacements).minDetJ;
-    if (state.minDetJ <= 0) {
-      refuse("a volume is turned inside out");
+    if (state.minDetJ < kLeastDetJ) {
+      refuse("a volume is pressed to " + std::to_string(state.minDetJ) + " of itself");
       continue;
     }
     const BoundaryFaces faces = boundaryFaces(moved);

@@ -29,8 +29,8 @@ struct TruthState {
 };
 
 /// Solves by CalculiX in `folder`, with ever smaller shares (1, 0.8, 0.64, ...) until it converges, no volume
-/// is turned inside out and the surface does not cut through itself. Throws std::runtime_error if no share
-/// down to 0.3 does.
+/// is pressed below a tenth of itself and the surface does not cut through itself. Throws std::runtime_error
+/// if no share down to 0.3 does.
 [[nodiscard]] TruthState solveTruth(const TruthBody& body, const std::filesystem::path& calculix,
                                     const std::filesystem::path& folder);
 

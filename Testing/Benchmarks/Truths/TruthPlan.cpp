@@ -1,6 +1,8 @@
 #include "Testing/Benchmarks/Truths/TruthPlan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "Logic/Core/Draws.h"
 
@@ -18,7 +20,7 @@ Pack drawPack(std::uint64_t seed, Stream stream) {
   Draws draws(seed, stream);
   Pack pack;
   pack.pushMm = draws.uniform(10, 60);
-  pack.extentMm = draws.uniform(20, 45);
+  pack.extentMm = draws.uniform(std::max(20.0, 0.6 * pack.pushMm), 50);  // no towel is a stick
   pack.offCentre = draws.uniform(0, 0.7);
   pack.lean = draws.uniform(0, 1);
   pack.sticks = draws.uniform() < 0.5;
@@ -42,7 +44,7 @@ TruthPlan drawTruth(std::uint64_t seed, PackedLobe lobe) {
   plan.lobe = lobe;
 
   Draws tissue(seed, kTissue);
-  plan.liverKPa = logUniform(tissue, 3, 12);
+  plan.liverKPa = logUniform(tissue, 4, 12);
   plan.poissonsRatio = tissue.uniform(0.45, 0.47);
   plan.tumourFactor = tissue.uniform(5, 10);
   plan.tumourRadiusMm = tissue.uniform(8, 20);
@@ -68,7 +70,7 @@ TruthPlan drawTruth(std::uint64_t seed, PackedLobe lobe) {
   plan.azimuthDeg = scanner.uniform(-25, 40);
   plan.elevationDeg = scanner.uniform(-30, 25);
   plan.distanceMm = scanner.uniform(400, 600);
-  plan.coverage = scanner.uniform(0.2, 0.45);
+  plan.coverage = scanner.uniform(0.18, 0.4);
   plan.noiseMm = logUniform(scanner, 0.5, 2);
   plan.outlierShare = scanner.uniform(0, 0.02);
   return plan;
