@@ -20,6 +20,7 @@ struct SupportsTest : WindowTest {
     liver = std::make_shared<const Surface>(makeSyntheticLiver(shape).surface);
     bench->document.setPreop(liver);
     window->showModule("AtlasUpdate");
+    click("pageSupports");
     handleEvents(200);
   }
   void prepare() {

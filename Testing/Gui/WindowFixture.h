@@ -24,12 +24,18 @@ struct WindowTest : testing::Test {
   void waitIdle();
   void handleEvents(int ms = 50);
 
+  /// In the panel on screen, or else in the window; of several the one that is not on a hidden page.
   template <class Widget>
   Widget& control(const char* name) {
-    auto* found = window->currentPanel()->findChild<Widget*>(name);
-    if (!found) found = window->findChild<Widget*>(name);
-    if (!found) throw std::runtime_error(std::string("no control named ") + name);
-    return *found;
+    Widget* any = nullptr;
+    for (QWidget* place :
+         {static_cast<QWidget*>(window->currentPanel()), static_cast<QWidget*>(window.get())})
+      for (Widget* found : place->findChildren<Widget*>(name)) {
+        if (found->isVisible()) return *found;
+        if (!any) any = found;
+      }
+    if (!any) throw std::runtime_error(std::string("no control named ") + name);
+    return *any;
   }
   /// Scrolls it into sight and clicks with the mouse; fails if it is disabled.
   void click(const char* button);
