@@ -47,9 +47,9 @@ double confinedStretch(const Material& m, double gravity, double x) {
 
 }  // namespace
 
-SharedProblem neoHookeanBar(const Material& material, BarLoad kind, double load) {
+SharedProblem neoHookeanBar(const Material& material, BarLoad kind, double load, int layers) {
   const TetrahedralMesh mesh =
-      quadraticMesh(test::blockMesh({kBarLengthMm, kBarWidthMm, kBarWidthMm}, {8, 2, 2}));
+      quadraticMesh(test::blockMesh({kBarLengthMm, kBarWidthMm, kBarWidthMm}, {layers, 2, 2}));
   const BoundaryFaces faces = boundaryFaces(mesh);
   std::vector<Support> planes;
   for (int axis = 0; axis < 3; ++axis) {

@@ -10,8 +10,10 @@ enum class BarLoad {
 };
 inline constexpr double kBarLengthMm = 40, kBarWidthMm = 10;
 
-/// `load`: MPa, or m/s2.
-[[nodiscard]] SharedProblem neoHookeanBar(const Material& material, BarLoad kind, double load);
+/// `load`: MPa, or m/s2. `layers` of cubes, two by two across, stand along x; each is six quadratic
+/// tetrahedra.
+[[nodiscard]] SharedProblem neoHookeanBar(const Material& material, BarLoad kind, double load,
+                                          int layers = 8);
 
 /// What a point at height x of the undeformed bar and at y, z of its section moves by.
 struct BarMotion {
