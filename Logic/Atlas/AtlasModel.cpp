@@ -26,6 +26,14 @@ AtlasModel::AtlasModel(const Surface& preop, std::shared_ptr<const Atlas> atlas)
   });
 }
 
+Eigen::Matrix<double, 3, Eigen::Dynamic> AtlasModel::modesAt(const Counterpart& place) const {
+  Eigen::Matrix<float, 3, Eigen::Dynamic> sum =
+      static_cast<float>(place.shares[0]) * modesAt(place.vertices[0]);
+  for (int k = 1; k < 3; ++k)
+    if (place.shares[k] != 0) sum += static_cast<float>(place.shares[k]) * modesAt(place.vertices[k]);
+  return sum.cast<double>();
+}
+
 Points AtlasModel::movedPoints(const VectorXd& coefficients) const {
   Points moved = fine_.points;
   const Eigen::VectorXf c = coefficients.cast<float>();

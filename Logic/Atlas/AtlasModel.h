@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "Logic/Atlas/Atlas.h"
+#include "Logic/Atlas/SurfaceCounterparts.h"
 #include "Logic/Core/Surface.h"
 
 namespace falciform {
@@ -20,6 +21,8 @@ class AtlasModel {
 
   /// 3 x rank: displacement of point `p` of fine() by each mode.
   [[nodiscard]] auto modesAt(Index p) const { return modes_.middleRows<3>(3 * p); }
+  /// The same for a place between points.
+  [[nodiscard]] Eigen::Matrix<double, 3, Eigen::Dynamic> modesAt(const Counterpart& place) const;
   /// P x 3, mm: fine()'s points moved by sums of modes.
   [[nodiscard]] Points movedPoints(const VectorXd& coefficients) const;
   /// N x 3, mm: displacements of the mesh's nodes.

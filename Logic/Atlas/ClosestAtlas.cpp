@@ -9,7 +9,6 @@
 #include "Logic/Atlas/ScanChoice.h"
 #include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Core/Parallel.h"
-#include "Logic/Registration/LabelledTarget.h"
 #include "Logic/Registration/PatchIcp.h"
 #include "Logic/Registration/PointRegistration.h"
 
@@ -23,26 +22,26 @@ class ClosestAtlasFit {
  public:
   ClosestAtlasFit(const AtlasModel& model, const Surface& scan, const Isometry3d& scanFromPreopStart,
                   const ClosestAtlasPlan& plan, const UpdateSettings& settings, std::uint64_t seed)
-      : model_(model), plan_(plan), settings_(settings), pose_(scanFromPreopStart.inverse()) {
-    scan_ = chooseScanPoints(scan, settings.samplePoints, seed);
-    if (plan.patches) labels_ = patchLabels(model.fine());
+      : model_(model),
+        plan_(plan),
+        settings_(settings),
+        pose_(scanFromPreopStart.inverse()),
+        scan_(chooseScanPoints(scan, settings.samplePoints, seed)),
+        search_(model.fine(), plan.patches, plan.correspondenceWeight) {
     if (plan.solve == AtlasSolve::Statistical) statistics_.emplace(model.atlas(), plan.varianceShare);
     found_.modes = VectorXd::Zero(model.atlas().rank());
-    moved_ = model.fine().points;
   }
 
   UpdateResult run(const Progress& progress) {
     UpdateResult result;
-    seek();
     match();                     // Step 1
     double previous = solve(1);  // Step 2
     for (int i = 1; i <= plan_.maxIterations; ++i) {
       if (i % 8 == 1) progress.report(static_cast<double>(i) / plan_.maxIterations, "Fitting the atlas");
-      seek();
       match();
-      pose_ = fitRigid(posed_, counterparts_, weights(i)) * pose_;  // Step 3
-      match();                                                      // Step 4
-      const double rms = solve(i);                                  // Steps 5 and 6
+      pose_ = fitRigid(posed_, placesOf(matches_, search_.points()), weights(i)) * pose_;  // Step 3
+      match();                                                                             // Step 4
+      const double rms = solve(i);                                                         // Steps 5 and 6
       result.iterations = i;
       result.rmsMm = rms;
       if (std::abs(rms - previous) < plan_.rmsToleranceMm) {
@@ -61,28 +60,9 @@ class ClosestAtlasFit {
   }
 
  private:
-  /// What closest points are sought in: the surface as it is now.
-  void seek() {
-    Surface now;
-    now.points = moved_;
-    now.patch = model_.fine().patch;
-    target_.emplace(now, labels_);
-  }
-
   void match() {
     posed_ = transformed(scan_.points, pose_);
-    counterparts_.resize(posed_.rows(), 3);
-    matches_.resize(scan_.labels.size(), -1);
-    forEachChunk(matches_.size(), kChunk, [&](std::size_t first, std::size_t last) {
-      for (std::size_t j = first; j < last; ++j) {
-        const auto row = static_cast<Index>(j);
-        const int label = plan_.patches && target_->has(scan_.labels[j]) ? scan_.labels[j] : 0;
-        matches_[j] =
-            target_->closest(posed_.row(row).transpose(), label, plan_.correspondenceWeight, matches_[j])
-                .index;  // Eq. (III.1)
-        counterparts_.row(row) = moved_.row(matches_[j]);
-      }
-    });
+    matches_ = search_.find(posed_, scan_.labels);
   }
 
   /// The diagonal of W_f: w_PBR on patches, 1 elsewhere.
@@ -94,7 +74,7 @@ class ClosestAtlasFit {
     const double onPatch = plan_.patches ? patchWeight(schedule, iteration) : 1;
     VectorXd all = VectorXd::Ones(posed_.rows());
     for (Index j = 0; j < all.size(); ++j)
-      if (target_->has(scan_.labels[static_cast<std::size_t>(j)])) all[j] = onPatch;
+      if (search_.uses(scan_.labels[static_cast<std::size_t>(j)])) all[j] = onPatch;
     return all;
   }
 
@@ -102,24 +82,26 @@ class ClosestAtlasFit {
   double solve(int iteration) {
     const Index rank = model_.atlas().rank();
     const VectorXd w = weights(iteration);
+    const Points rest = placesOf(matches_, model_.fine().points);
     const std::size_t chunks = (matches_.size() + kChunk - 1) / kChunk;
-    std::vector<Eigen::MatrixXd> parts(chunks, Eigen::MatrixXd::Zero(rank, rank + 1));
+    std::vector<Eigen::MatrixXd> parts(chunks);
     forEachChunk(matches_.size(), kChunk, [&](std::size_t first, std::size_t last) {
-      Eigen::MatrixXd& part = parts[first / kChunk];
+      Eigen::MatrixXd rows(rank + 1, static_cast<Index>(3 * (last - first)));
       for (std::size_t j = first; j < last; ++j) {
         const auto row = static_cast<Index>(j);
-        const Eigen::Matrix<double, 3, Eigen::Dynamic> modes = model_.modesAt(matches_[j]).cast<double>();
-        const Vector3d from = model_.fine().points.row(matches_[j]).transpose();
-        part.leftCols(rank) += w[row] * modes.transpose() * modes;
-        part.col(rank) += w[row] * modes.transpose() * (posed_.row(row).transpose() - from);
+        auto own = rows.middleCols<3>(static_cast<Index>(3 * (j - first)));
+        own.topRows(rank) = model_.modesAt(matches_[j]).transpose();
+        own.bottomRows<1>() = posed_.row(row) - rest.row(row);
+        own *= std::sqrt(w[row]);
       }
+      parts[first / kChunk] = outerSquare(rows);
     });
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(rank, rank + 1);
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(rank + 1, rank + 1);
     for (const Eigen::MatrixXd& part : parts) sum += part;
-    const double residual = (counterparts_ - posed_).squaredNorm();
+    const double residual = (placesOf(matches_, search_.points()) - posed_).squaredNorm();
     const double spread = (posed_.rowwise() - posed_.colwise().mean()).squaredNorm();
     const auto points = static_cast<double>(posed_.rows());
-    ModalEquations equations{.square = sum.leftCols(rank), .right = sum.col(rank)};
+    ModalEquations equations{.square = sum.topLeftCorner(rank, rank), .right = sum.col(rank).head(rank)};
     equations.relativeError = std::sqrt(residual / spread);  // Eq. (V.18)
     equations.pointVariance =
         std::max(residual / (3 * points), settings_.noiseFloorMm * settings_.noiseFloorMm);
@@ -135,8 +117,8 @@ class ClosestAtlasFit {
         found_ = statistics_->mostProbable(equations);
         break;
     }
-    moved_ = model_.movedPoints(found_.modes);
-    return std::sqrt((moved_(matches_, Eigen::all) - posed_).squaredNorm() / points);
+    search_.moveTo(model_.movedPoints(found_.modes));
+    return std::sqrt((placesOf(matches_, search_.points()) - posed_).squaredNorm() / points);
   }
 
   const AtlasModel& model_;
@@ -144,13 +126,11 @@ class ClosestAtlasFit {
   const UpdateSettings& settings_;
   Isometry3d pose_;  ///< pre-op from scan
   ScanChoice scan_;
-  std::vector<int> labels_;
+  CounterpartSearch search_;  ///< in the surface as it is now
   std::optional<MemberStatistics> statistics_;
   AtlasCoefficients found_;
-  Points moved_;                          ///< the fine surface's points as they are now
-  std::optional<LabelledTarget> target_;  ///< over them
-  Points posed_, counterparts_;
-  std::vector<int> matches_;
+  Points posed_;
+  std::vector<Counterpart> matches_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "Testing/Logic/Atlas/BeanLiver.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "Logic/Atlas/ModeCompression.h"
 #include "Logic/Atlas/UpdatedPlaces.h"
@@ -19,13 +20,15 @@ namespace {
 constexpr int kPlaces = 6, kAmounts = 5;
 constexpr double kStepMm = 1.5;
 
+/// Height of the flat side.
+double underside(double x) { return 0.0012 * (x - 40) * (x - 40); }
+
 /// Displacements of 1 mm RMS, one for each place of the underside.
 std::vector<Points> pressedFields(const TetrahedralMesh& mesh, const VectorXd& volumes) {
   const LoadResponses loads = solveSurfaceLoads(mesh, {Material{}}, {.centres = 30, .radiusMm = 18});
   std::vector<Points> fields;
   for (Index c = 0; c < loads.centres.rows() && fields.size() < kPlaces; ++c) {
-    const double x = loads.centres(c, 0), top = 0.0012 * (x - 40) * (x - 40) + 50 * (1 - 0.35 * x / 120);
-    if (loads.centres(c, 2) > top - 25) continue;
+    if (loads.centres(c, 2) > underside(loads.centres(c, 0)) + 1) continue;
     Points field(mesh.nodes(), 3);
     Eigen::Map<VectorXd>(field.data(), field.size()) =
         loads.responses.row(3 * c + 2).transpose().cast<double>();
@@ -40,10 +43,11 @@ std::vector<Points> pressedFields(const TetrahedralMesh& mesh, const VectorXd& v
 TetrahedralMesh beanMesh() {
   TetrahedralMesh mesh = blockMesh({120, 80, 50}, {12, 8, 5});
   for (Index n = 0; n < mesh.nodes(); ++n) {
-    const double x = mesh.points(n, 0), y = mesh.points(n, 1);
-    mesh.points(n, 2) =
-        mesh.points(n, 2) * (1 - 0.35 * x / 120) + 0.004 * (x - 40) * (x - 40) * 0.3 + 0.05 * y;
-    mesh.points(n, 1) = y * (1 - 0.3 * std::pow(x / 120, 2)) + 8 * std::sin(x / 25);
+    const double u = mesh.points(n, 0) / 120, v = mesh.points(n, 1) / 80, share = mesh.points(n, 2) / 50;
+    const double dome =
+        std::sin(std::numbers::pi * (0.1 + 0.8 * u)) * std::sin(std::numbers::pi * (0.15 + 0.7 * v));
+    mesh.points(n, 1) = 40 + 80 * (v - 0.5) * (1 - 0.35 * u * u) + 8 * std::sin(120 * u / 25);
+    mesh.points(n, 2) = underside(120 * u) + share * (12 + 60 * (1 - 0.55 * u) * dome);
   }
   return quadraticMesh(mesh);
 }
@@ -115,13 +119,6 @@ BeanTruth beanTruth(const std::vector<double>& amounts, double noiseMm) {
   }
   truth.scan.frame = "scanner";
   return truth;
-}
-
-Isometry3d nudged(const Isometry3d& pose) {
-  Isometry3d nudge = Isometry3d::Identity();
-  nudge.linear() = Eigen::AngleAxisd(0.03, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
-  nudge.translation() = Vector3d(2, -3, 1);
-  return nudge * pose;
 }
 
 double meanError(const TetrahedralMesh& mesh, const UpdateResult& update, const BeanTruth& truth) {

@@ -4,7 +4,8 @@
 
 namespace falciform::test {
 
-/// A block bent into a lopsided bean of quadratic tetrahedra, so that no rigid motion fits it twice.
+/// A block bent into a lopsided bean of quadratic tetrahedra, domed above and flat below, so that what is
+/// seen of it from above fits nowhere else.
 [[nodiscard]] TetrahedralMesh beanMesh();
 
 /// Its surface, with two bands painted as patches 1 and 2.
@@ -22,9 +23,6 @@ struct BeanTruth {
 };
 /// `amounts`: mm RMS of each of the six places; none of them: a stiff body.
 [[nodiscard]] BeanTruth beanTruth(const std::vector<double>& amounts, double noiseMm);
-
-/// A pose near another: 1.7 degrees and 3.7 mm off.
-[[nodiscard]] Isometry3d nudged(const Isometry3d& pose);
 
 /// Mean distance of an update's inside places from the truth, mm.
 [[nodiscard]] double meanError(const TetrahedralMesh& mesh, const UpdateResult& update,

@@ -6,6 +6,7 @@
 
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Registration/SurfaceRegistration.h"
 #include "Testing/Logic/Atlas/BeanLiver.h"
 #include "Testing/Support/SmallSurfaces.h"
 
@@ -14,7 +15,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One method, and how well it must do on the bean; each figure is about twice what was measured.
+/// One method, and how well it must do on the bean; each figure is about twice what was measured. The
+/// statistics expect the members' mean, which is no stiff body.
 struct MethodCase {
   UpdateMethod method;
   double bentMm;   ///< mean error left of a bending within the atlas's span
@@ -30,12 +32,16 @@ class UpdateMethods : public testing::TestWithParam<MethodCase> {
     const UpdateMethod method = GetParam().method;
     return made.try_emplace(method, method, beanSurface(), basisOf(method)).first->second;
   }
+  /// Where the methods begin, as `falciform update` does.
+  static Isometry3d registered(const BeanTruth& truth) {
+    return registerSurfaces(beanSurface(), truth.scan, {}).scanFromPreop;
+  }
   static UpdateBasis basisOf(UpdateMethod) { return std::make_shared<const Atlas>(beanAtlas()); }
 };
 
 TEST_P(UpdateMethods, RecoversABendingWithinItsAtlas) {
   const BeanTruth truth = beanTruth({3, 0, 0, 2, 0, 0}, 0.1);
-  const Isometry3d start = nudged(truth.scanFromPreop);
+  const Isometry3d start = registered(truth);
   UpdateResult rigid;
   rigid.scanFromPreop = start;
   rigid.displacements = Points::Zero(truth.displacements.rows(), 3);
@@ -49,9 +55,9 @@ TEST_P(UpdateMethods, RecoversABendingWithinItsAtlas) {
 
 TEST_P(UpdateMethods, LeavesAStiffBodyStiff) {
   const BeanTruth truth = beanTruth({}, 0);
-  const UpdateResult update = updateByMethod(prepared(), truth.scan, nudged(truth.scanFromPreop));
+  const UpdateResult update = updateByMethod(prepared(), truth.scan, registered(truth));
   EXPECT_LT(meanError(prepared().mesh(), update, truth), GetParam().stiffMm);
-  EXPECT_LT(update.largestMm, 3 * GetParam().stiffMm);
+  EXPECT_LT(update.largestMm, 5 * GetParam().stiffMm);
 }
 
 TEST_P(UpdateMethods, FollowsTheScanWhereverItLies) {
@@ -84,10 +90,10 @@ TEST_P(UpdateMethods, TooFewPointsAreRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, UpdateMethods,
-                         testing::Values(MethodCase{UpdateMethod::Icat, 1, 0.3},
-                                         MethodCase{UpdateMethod::IcatStar, 1, 0.3},
-                                         MethodCase{UpdateMethod::Constrained, 1, 0.3},
-                                         MethodCase{UpdateMethod::Pca, 1, 0.3}),
+                         testing::Values(MethodCase{UpdateMethod::Icat, 0.1, 0.1},
+                                         MethodCase{UpdateMethod::IcatStar, 0.4, 0.4},
+                                         MethodCase{UpdateMethod::Constrained, 0.1, 0.1},
+                                         MethodCase{UpdateMethod::Pca, 0.4, 2.5}),
                          [](const auto& each) {
                            std::string name = enumToString(each.param.method);
                            std::replace(name.begin(), name.end(), '-', '_');
