@@ -1,10 +1,12 @@
 #include "Logic/Atlas/ModelFit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 
-#include "Logic/Biomechanics/DeformationCheck.h"
+#include "Logic/Atlas/MethodResult.h"
 #include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Core/Draws.h"
 #include "Logic/Core/Errors.h"
@@ -18,8 +20,14 @@ namespace {
 
 constexpr std::size_t kChunk = 256;
 constexpr int kCoarsePoints = 800;
+constexpr double kCellMm = 30;       ///< wider than the scan's own errors are likely to go together
 constexpr double kStaleMm = 0.15;    ///< RMS motion after which trees are made anew; vertices are 2 mm apart
 constexpr double kSettledMm = 0.02;  ///< RMS change of the fitted surface under the scan by one step
+
+constexpr int kRoughIterations = 6;                  ///< before which nothing but pose and bending is learnt
+constexpr double kFirstReachMm = 45, kReachMm = 40;  ///< of the scan, for the part of surface it can meet
+constexpr double kPullSoftMm = 2;  ///< beyond a patch's border where its pull has half its weight
+constexpr double kFewestSamples = 20;
 
 double squared(double x) { return x * x; }
 
@@ -27,11 +35,14 @@ double squared(double x) { return x * x; }
 
 ModelFit::ModelFit(const UpdateModel& model, const Surface& scan, const Isometry3d& scanFromPreopStart,
                    const UpdateSettings& settings, std::uint64_t seed)
-    : model_(model), settings_(settings), pose_(scanFromPreopStart.inverse()) {
+    : model_(model),
+      settings_(settings),
+      pose_(scanFromPreopStart.inverse()),
+      samples_(settings.effectiveSamples),
+      surface_(model, settings.patchWeight > 0) {
   choosePoints(scan, seed);
   coefficients_ = VectorXd::Zero(model.responses().loads());
-  refreshSurface();
-  refreshTrees();
+  strength_ = VectorXd::Ones(model.responses().centres.rows());
 }
 
 void ModelFit::choosePoints(const Surface& scan, std::uint64_t seed) {
@@ -54,46 +65,23 @@ void ModelFit::choosePoints(const Surface& scan, std::uint64_t seed) {
 
 /// Coefficient of each load at a whitened value of 1 and a prior bending of 1 mm RMS.
 VectorXd ModelFit::perLoad() const {
-  const double total = std::sqrt(seen_.cwiseAbs2().dot(model_.responses().rmsMm.cwiseAbs2()));
-  return seen_ / total;
+  VectorXd loads = seen_;
+  for (Index c = 0; c < strength_.size(); ++c) loads.segment<3>(3 * c) *= strength_[c];
+  return loads / std::sqrt(loads.cwiseAbs2().dot(model_.responses().rmsMm.cwiseAbs2()));
 }
 
-void ModelFit::refreshSurface() {
-  const LoadResponses& loads = model_.responses();
-  const Index nodes = loads.mesh.nodes();
-  nodal_.resize(nodes, 3);
-  const Eigen::VectorXf q = coefficients_.cast<float>();
-  Eigen::Map<VectorXd> flat(nodal_.data(), nodal_.size());
-  forEachChunk(static_cast<std::size_t>(3 * nodes), 4096, [&](std::size_t first, std::size_t last) {
-    const auto at = static_cast<Index>(first), count = static_cast<Index>(last - first);
-    flat.segment(at, count) = (loads.responses.middleCols(at, count).transpose() * q).cast<double>();
-  });
-  moved_ = {};
-  moved_.triangles = model_.fine().triangles;
-  moved_.points = model_.fine().points + Points(model_.places().interpolate(nodal_));
-}
-
-/// What closest points are sought with: normals and trees of the surface as it is now.
-void ModelFit::refreshTrees() {
-  sinceTreesMm_ = 0;
-  normals_ = vertexNormals(moved_);
-  tree_ = KdTree(moved_.points);
-  patches_.clear();
-  if (settings_.patchWeight > 0)
-    for (const int label : patchLabels(model_.fine()))
-      patches_.emplace_back(label, KdTree(moved_.points, pointsOfPatch(model_.fine(), label)));
-}
-
-/// Which load centres, where they are now, lie under the scan: as many points around them as a quarter of
-/// what scan points themselves have around them, so that strewn outliers do not count.
-void ModelFit::refreshSeen() {
+/// Which part of the surface the scan can meet, and which load centres, where they are now, lie under it: as
+/// many points around them as a quarter of what scan points themselves have around them, so that strewn
+/// outliers do not count.
+void ModelFit::look(double reachMm) {
   const Points posed = transformed(crowd_, pose_);
   const KdTree tree(posed);
+  surface_.choose(coefficients_, tree, reachMm);
   std::vector<double> usual;
   for (Index i = 0; i < posed.rows(); i += std::max<Index>(1, posed.rows() / 200))
     usual.push_back(static_cast<double>(tree.within(posed.row(i).transpose(), settings_.reachMm).size()));
   const double enough = medianInPlace(usual) / 4;
-  const Points centres = model_.responses().centres + Points(model_.centres().interpolate(nodal_));
+  const Points& centres = surface_.centres();
   seen_.resize(model_.responses().loads());
   for (Index c = 0; c < centres.rows(); ++c) {
     const bool under =
@@ -102,15 +90,17 @@ void ModelFit::refreshSeen() {
   }
 }
 
+Vector3d ModelFit::posed(std::size_t j) const {
+  return pose_ * Vector3d(points_.row(static_cast<Index>(j)).transpose());
+}
+
 void ModelFit::correspond(std::size_t count) {
   found_.resize(count);
   forEachChunk(count, kChunk, [&](std::size_t first, std::size_t last) {
     for (std::size_t j = first; j < last; ++j) {
-      const Vector3d y = pose_ * Vector3d(points_.row(static_cast<Index>(j)).transpose());
-      const Neighbour nearest = tree_.nearest(y);
-      const Vector3d x = moved_.points.row(nearest.index).transpose();
-      found_[j] = {nearest.index, normals_.row(nearest.index).dot((y - x).transpose()),
-                   std::sqrt(nearest.squaredDistance)};
+      const Vector3d y = posed(j);
+      found_[j].at = surface_.closest(y);
+      found_[j].residual = found_[j].at.normal.dot(y - found_[j].at.point);
     }
   });
   std::vector<double> sizes(count);
@@ -120,7 +110,7 @@ void ModelFit::correspond(std::size_t count) {
   weights_.assign(count, 0);
   double sum = 0, squares = 0;
   for (std::size_t j = 0; j < count; ++j) {
-    if (found_[j].distance >= 3 * width + 5) continue;
+    if (found_[j].at.distance >= 3 * width + 5) continue;
     weights_[j] = std::exp(-squared(found_[j].residual / width));
     sum += weights_[j];
     squares += weights_[j] * squared(found_[j].residual);
@@ -128,28 +118,51 @@ void ModelFit::correspond(std::size_t count) {
   rmsMm_ = sum > 0 ? std::sqrt(squares / sum) : 0;
 }
 
-/// along' F(vertex), whitened: the loads' displacements at a surface vertex along a direction.
-void ModelFit::vertexRow(int vertex, const Vector3d& along, double* row) const {
+/// How many independent measurements the scan is worth: n points whose residuals correlate by r on average
+/// are worth n / (1 + n r) (Kish's design effect). r from sums of residuals over cells of space.
+void ModelFit::learnSamples() {
+  std::map<std::array<int, 3>, double> cells;
+  double own = 0;
+  for (std::size_t j = 0; j < found_.size(); ++j) {
+    const Vector3d y = posed(j) / kCellMm;
+    const double r = weights_[j] * found_[j].residual;
+    own += squared(r);
+    cells[{static_cast<int>(std::floor(y[0])), static_cast<int>(std::floor(y[1])),
+           static_cast<int>(std::floor(y[2]))}] += r;
+  }
+  double together = 0;
+  for (const auto& [cell, residual] : cells) together += squared(residual);
+  const double n = static_cast<double>(found_.size());
+  const double correlation = std::max(0.0, (together / own - 1) / n);
+  const double learnt = 1 / (1 / static_cast<double>(points_.rows()) + correlation);
+  samples_ = std::sqrt(
+      samples_ * std::clamp(learnt, kFewestSamples, std::max(kFewestSamples, settings_.effectiveSamples)));
+}
+
+/// along' dF(place): how the loads' displacements there, small beside what there is, go along a direction.
+void ModelFit::placeRow(int place, const Vector3d& along, double* row) const {
   const LoadResponses& loads = model_.responses();
   const MeshPlaces& places = model_.places();
+  const int vertex = surface_.vertex(place);
+  const Vector3d before = surface_.turn(place).transpose() * along;
   Eigen::VectorXf sum = Eigen::VectorXf::Zero(loads.loads());
   for (Index k = 0; k < places.nodes().cols(); ++k) {
     const Index column = 3 * static_cast<Index>(places.nodes()(vertex, k));
     for (Index a = 0; a < 3; ++a)
-      sum += static_cast<float>(places.weights()(vertex, k) * along[a]) * loads.responses.col(column + a);
+      sum += static_cast<float>(places.weights()(vertex, k) * before[a]) * loads.responses.col(column + a);
   }
   Eigen::Map<VectorXd>(row, loads.loads()) = sum.cast<double>();
 }
 
-/// One equation: scan point j meets the surface at `vertex`, along a direction.
-void ModelFit::meetingRow(std::size_t j, int vertex, const Vector3d& along, const Vector3d& centre,
-                          double weight, double* row) const {
+/// One equation: scan point j meets the surface at `meeting`, along a direction.
+void ModelFit::meetingRow(std::size_t j, const SurfaceMeeting& meeting, const Vector3d& along,
+                          const Vector3d& centre, double weight, double* row) const {
   const Index loads = model_.responses().loads();
-  const Vector3d y = pose_ * Vector3d(points_.row(static_cast<Index>(j)).transpose());
-  vertexRow(vertex, along, row);
+  const Vector3d y = posed(j);
+  placeRow(meeting.place, along, row);
   Eigen::Map<Vector3d>(row + loads) = -(y - centre).cross(along);
   Eigen::Map<Vector3d>(row + loads + 3) = -along;
-  row[loads + 6] = along.dot(y - Vector3d(model_.fine().points.row(vertex).transpose()));
+  row[loads + 6] = along.dot(y - meeting.point) + Eigen::Map<VectorXd>(row, loads).dot(coefficients_);
   Eigen::Map<VectorXd>(row, loads + 7) *= weight;
 }
 
@@ -168,13 +181,13 @@ double ModelFit::step(std::size_t count) {
   correspond(count);
   if (rmsMm_ > 0) noiseMm_ = std::max(settings_.noiseFloorMm, rmsMm_);
   const Index size = model_.responses().loads() + 6;
-  const double perPoint = std::sqrt(settings_.effectiveSamples / static_cast<double>(count)) / noiseMm_;
+  const double perPoint = std::sqrt(samples_ / static_cast<double>(count)) / noiseMm_;
   Vector3d centre = pose_ * Vector3d(points_.topRows(static_cast<Index>(count)).colwise().mean().transpose());
   Eigen::MatrixXd rows(size + 1, static_cast<Index>(count));
   forEachChunk(count, 32, [&](std::size_t first, std::size_t last) {
     for (std::size_t j = first; j < last; ++j)
-      meetingRow(j, found_[j].vertex, normals_.row(found_[j].vertex).transpose(), centre,
-                 std::sqrt(weights_[j]) * perPoint, rows.col(static_cast<Index>(j)).data());
+      meetingRow(j, found_[j].at, found_[j].at.normal, centre, std::sqrt(weights_[j]) * perPoint,
+                 rows.col(static_cast<Index>(j)).data());
   });
   normal_.setZero(size, size);
   right_.setZero(size);
@@ -183,29 +196,43 @@ double ModelFit::step(std::size_t count) {
   return solve(centre);
 }
 
-/// Painted scan points are pulled to the nearest place of the same patch, along all three axes.
+/// Painted scan points that lie beyond their patch's border on the surface are pulled towards it along the
+/// surface; within it a patch says nothing that closest places do not. Pulls set in smoothly.
 void ModelFit::addPatches(std::size_t count, const Vector3d& centre, double weight) {
   const Index size = model_.responses().loads() + 6;
-  for (const auto& [label, tree] : patches_) {
-    std::vector<std::size_t> members;
-    std::vector<Neighbour> nearest;
+  for (std::size_t patch = 0; patch < surface_.patches().size(); ++patch) {
+    const int label = surface_.patches()[patch].first;
+    struct Pull {
+      std::size_t point;
+      SurfaceMeeting border;
+      Vector3d along;
+      double distance;
+    };
+    std::vector<Pull> pulls;
     std::vector<double> distances;
     for (std::size_t j = 0; j < count; ++j) {
       if (labels_[j] != label) continue;
-      members.push_back(j);
-      nearest.push_back(tree.nearest(pose_ * Vector3d(points_.row(static_cast<Index>(j)).transpose())));
-      distances.push_back(std::sqrt(nearest.back().squaredDistance));
+      const Vector3d y = posed(j);
+      Pull pull{j, surface_.closestOfPatch(patch, y), Vector3d::Zero(), 0};
+      const Vector3d across = y - pull.border.point;
+      const Vector3d& normal = pull.border.normal;
+      pull.along = across - across.dot(normal) * normal;
+      pull.distance = pull.along.norm();
+      if (!(pull.distance > 1e-3)) continue;
+      pull.along /= pull.distance;
+      pulls.push_back(pull);
+      distances.push_back(pull.distance);
     }
-    if (members.empty()) continue;
-    std::vector<double> sorted = distances;
-    const double width = std::max(10.0, 3 * medianInPlace(sorted));
-    Eigen::MatrixXd rows(size + 1, static_cast<Index>(3 * members.size()));
-    forEachChunk(members.size(), 16, [&](std::size_t first, std::size_t last) {
+    if (pulls.empty()) continue;
+    const double width = std::max(10.0, 3 * medianInPlace(distances));
+    Eigen::MatrixXd rows(size + 1, static_cast<Index>(pulls.size()));
+    forEachChunk(pulls.size(), 16, [&](std::size_t first, std::size_t last) {
       for (std::size_t m = first; m < last; ++m) {
-        const double share = std::sqrt(weight * std::exp(-squared(distances[m] / width)));
-        for (Index a = 0; a < 3; ++a)
-          meetingRow(members[m], nearest[m].index, Vector3d::Unit(a), centre, share,
-                     rows.col(static_cast<Index>(3 * m) + a).data());
+        const Pull& pull = pulls[m];
+        const double square = squared(pull.distance);
+        const double share = std::exp(-square / squared(width)) * square / (square + squared(kPullSoftMm));
+        meetingRow(pull.point, pull.border, pull.along, centre, std::sqrt(weight * share),
+                   rows.col(static_cast<Index>(m)).data());
       }
     });
     addRows(rows);
@@ -228,8 +255,9 @@ double ModelFit::solve(const Vector3d& centre) {
   turnCentre_ = centre;
   const VectorXd whitened = solution.col(0).head(loads);
   const VectorXd before = coefficients_;
-  coefficients_ = whitened.cwiseProduct(perLoad());
-  const Vector3d turn = solution.col(0).segment<3>(loads), shift = solution.col(0).tail<3>();
+  coefficients_ += relax_ * (whitened.cwiseProduct(perLoad()) - coefficients_);
+  const Vector3d turn = relax_ * solution.col(0).segment<3>(loads),
+                 shift = relax_ * solution.col(0).tail<3>();
   learn(covariance_, whitened);
   const double angle = turn.norm();
   Isometry3d motion = Isometry3d::Identity();
@@ -242,30 +270,40 @@ double ModelFit::solve(const Vector3d& centre) {
   VectorXd row(loads);
   const VectorXd change = coefficients_ - before;
   for (std::size_t j = 0; j < found_.size(); j += std::max<std::size_t>(1, found_.size() / 64)) {
-    const Vector3d y = pose_ * Vector3d(points_.row(static_cast<Index>(j)).transpose());
-    const Vector3d posed = motion.inverse() * y - y;
+    const Vector3d y = posed(j), moved = motion.inverse() * y - y;
     for (Index a = 0; a < 3; ++a) {
-      vertexRow(found_[j].vertex, Vector3d::Unit(a), row.data());
-      sum += squared(row.dot(change) + posed[a]);
+      placeRow(found_[j].at.place, Vector3d::Unit(a), row.data());
+      sum += squared(row.dot(change) + moved[a]);
     }
     ++used;
   }
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, used)));
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, used))) / relax_;
 }
 
-/// MacKay's evidence update of the prior's width.
+/// MacKay's evidence update of the prior's width, and which centres press.
 void ModelFit::learn(const Eigen::MatrixXd& covariance, const VectorXd& whitened) {
   const Index loads = model_.responses().loads();
   const double determined =
       static_cast<double>(loads) - covariance.diagonal().head(loads).sum() / squared(bendMm_);
   known_ = std::max(determined, 1.0);
   bendMm_ = std::clamp(std::sqrt(whitened.squaredNorm() / known_), 0.2, settings_.maxBendMm);
+  // Few places press hard, most do not: each centre's loads are Student's t beforehand, a normal distribution
+  // of unknown width, whose expectation given the data replaces it (the E and M steps of Lange et al. 1989).
+  const double freedom = settings_.loadFreedom;
+  for (Index c = 0; c < strength_.size(); ++c) {
+    const double size =
+        whitened.segment<3>(3 * c).squaredNorm() + covariance.diagonal().segment<3>(3 * c).sum();
+    const double expected = squared(strength_[c]) * size / squared(bendMm_);
+    strength_[c] = std::sqrt((freedom + expected) / (freedom + 3));
+  }
 }
 
 /// All that follows from where the fit stands.
 void ModelFit::finish(UpdateResult& result) const {
+  BentNodes bent = bendAll(model_, coefficients_);
   result.scanFromPreop = pose_.inverse();
-  result.displacements = nodal_;
+  result.displacements = std::move(bent.displacements);
+  result.turns = std::move(bent.turns);
   result.coefficients = coefficients_;
   result.covariance = covariance_;
   result.coefficientScale = perLoad();
@@ -274,14 +312,7 @@ void ModelFit::finish(UpdateResult& result) const {
   result.noiseMm = noiseMm_;
   result.bendMm = bendMm_;
   result.effectiveParameters = known_;
-  result.minDetJ = checkDeformation(model_.responses().mesh, nodal_).minDetJ;
-  result.largestMm = nodal_.rowwise().norm().maxCoeff();
-  if (!result.converged)
-    result.warnings.push_back("the model had not settled after " + std::to_string(result.iterations) +
-                              " iterations");
-  if (!(result.minDetJ > 0))
-    result.warnings.push_back(
-        "the fitted deformation folds tissue over itself somewhere: do not trust it there");
+  describeDeformation(model_.responses().mesh, result);
 }
 
 UpdateResult ModelFit::run(const Progress& progress, const UpdateObserver& observer) {
@@ -289,13 +320,18 @@ UpdateResult ModelFit::run(const Progress& progress, const UpdateObserver& obser
   std::size_t count = std::min<std::size_t>(all, kCoarsePoints);
   UpdateResult result;
   result.stopReason = "the largest number of iterations was reached";
-  refreshSeen();
+  double last = INFINITY;
+  look(kFirstReachMm);
   for (int iteration = 1; iteration <= settings_.maxIterations; ++iteration) {
     progress.report(static_cast<double>(iteration) / (settings_.maxIterations + 1), "Fitting the model");
-    if (iteration == 6 || iteration == 11) refreshSeen();
+    if (iteration == 4 || iteration == 8) look(kReachMm);
     const double change = step(count);
+    if (iteration > kRoughIterations) learnSamples();
     result.iterations = iteration;
-    refreshSurface();
+    surface_.bend(coefficients_);
+    if (iteration > kRoughIterations)
+      relax_ = change > 0.9 * last ? std::max(0.4, 0.7 * relax_) : std::min(1.0, 1.15 * relax_);
+    last = change;
     const auto soFar = [&] {
       UpdateResult now = result;
       finish(now);
@@ -306,8 +342,11 @@ UpdateResult ModelFit::run(const Progress& progress, const UpdateObserver& obser
       break;
     }
     sinceTreesMm_ += change;
-    if (sinceTreesMm_ > kStaleMm) refreshTrees();
-    if (iteration < 12) continue;
+    if (sinceTreesMm_ > kStaleMm) {
+      surface_.refreshTrees();
+      sinceTreesMm_ = 0;
+    }
+    if (iteration < kRoughIterations + 3) continue;
     if (count < all && (change < 5 * kSettledMm || iteration > settings_.maxIterations - 8)) {
       count = all;
       continue;

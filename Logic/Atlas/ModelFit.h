@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "Logic/Atlas/DeformedSurface.h"
 #include "Logic/Atlas/ModelUpdate.h"
 #include "Logic/Geometry/KdTree.h"
 
@@ -17,21 +18,21 @@ class ModelFit {
 
  private:
   struct Correspondence {
-    int vertex = 0;
-    double residual = 0, distance = 0;
+    SurfaceMeeting at;
+    double residual = 0;  ///< along at.normal, mm
   };
 
   void choosePoints(const Surface& scan, std::uint64_t seed);
-  void refreshSurface();
-  void refreshTrees();
-  void refreshSeen();
+  void look(double reachMm);
   void correspond(std::size_t count);
   double step(std::size_t count);
   void addPatches(std::size_t count, const Vector3d& centre, double weight);
-  void meetingRow(std::size_t j, int vertex, const Vector3d& along, const Vector3d& centre, double weight,
-                  double* row) const;
+  void meetingRow(std::size_t j, const SurfaceMeeting& meeting, const Vector3d& along, const Vector3d& centre,
+                  double weight, double* row) const;
+  [[nodiscard]] Vector3d posed(std::size_t j) const;
+  void learnSamples();
   void addRows(Eigen::MatrixXd& rows);
-  void vertexRow(int vertex, const Vector3d& along, double* row) const;
+  void placeRow(int place, const Vector3d& along, double* row) const;
   double solve(const Vector3d& centre);
   void learn(const Eigen::MatrixXd& covariance, const VectorXd& whitened);
   [[nodiscard]] VectorXd perLoad() const;
@@ -45,13 +46,12 @@ class ModelFit {
   std::vector<int> labels_;
   VectorXd coefficients_;
   VectorXd seen_;            ///< 1 or the share, for each load
+  VectorXd strength_;        ///< of each centre's loads beside the others, as learnt
   double sinceTreesMm_ = 0;  ///< how far the surface has moved since its trees were made
   double bendMm_ = 10, noiseMm_ = 2, rmsMm_ = 0, known_ = 0;
-  Points nodal_;   ///< displacements of the mesh's nodes
-  Surface moved_;  ///< the pre-op surface deformed
-  Points normals_;
-  KdTree tree_;
-  std::vector<std::pair<int, KdTree>> patches_;
+  double samples_ = 0;  ///< independent measurements that the scan is worth
+  double relax_ = 1;    ///< share of each step that is taken
+  DeformedSurface surface_;
   std::vector<Correspondence> found_;
   std::vector<double> weights_;
   Eigen::MatrixXd normal_;  ///< J' W J

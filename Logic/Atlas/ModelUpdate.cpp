@@ -12,13 +12,19 @@
 namespace falciform {
 
 UpdateModel::UpdateModel(const Surface& preop, LoadResponses responses)
-    : preop_(preop), responses_(std::move(responses)) {
+    : preop_(preop), responses_(std::move(responses)), warp_(responses_.mesh) {
   checkSurface(preop, "the pre-operative surface");
   const MeshLocator locator(responses_.mesh);
   constexpr double kFineEdgeMm = 2.5;
   fine_ = subdividedTo(preop, kFineEdgeMm);
   places_ = MeshPlaces(locator, fine_.points);
   centres_ = MeshPlaces(locator, responses_.centres);
+  const KdTree tree(responses_.centres);
+  centreOf_.resize(static_cast<std::size_t>(fine_.size()));
+  forEachChunk(centreOf_.size(), 1024, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v)
+      centreOf_[v] = tree.nearest(fine_.points.row(static_cast<Index>(v)).transpose()).index;
+  });
 }
 
 UpdateResult updateModel(const UpdateModel& model, const Surface& scan, const Isometry3d& scanFromPreopStart,
@@ -44,6 +50,7 @@ constexpr double kInflation = 2;
 VectorXd expectedErrorMm(const UpdateModel& model, const UpdateResult& update, const Points& preopMm) {
   const LoadResponses& loads = model.responses();
   const MeshPlaces places(loads.mesh, preopMm);
+  const Points turns = places.interpolate(update.turns);
   const Points moved = preopMm + Points(places.interpolate(update.displacements));
   VectorXd errors(preopMm.rows());
   constexpr Index kTogether = 256;
@@ -59,6 +66,7 @@ VectorXd expectedErrorMm(const UpdateModel& model, const UpdateResult& update, c
               loads.responses.middleCols(3 * static_cast<Index>(places.nodes()(first + i, k)), 3)
                   .cast<double>();
         own.topRows(loads.loads()).array().colwise() *= update.coefficientScale.array();
+        own.topRows(loads.loads()) *= rotationOf(turns.row(first + i).transpose()).transpose();
         // A place errs against the scan by its own displacement less what turn and shift do to the scan.
         const Vector3d arm = moved.row(first + i).transpose() - update.turnCentre;
         for (Index a = 0; a < 3; ++a) {

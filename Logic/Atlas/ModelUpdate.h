@@ -6,6 +6,7 @@
 
 #include "Logic/Atlas/SurfaceLoads.h"
 #include "Logic/Atlas/UpdateSettings.h"
+#include "Logic/Biomechanics/CornerWarp.h"
 #include "Logic/Biomechanics/MeshPlaces.h"
 #include "Logic/Core/Results.h"
 #include "Logic/Core/Surface.h"
@@ -24,11 +25,16 @@ class UpdateModel {
   [[nodiscard]] const Surface& fine() const { return fine_; }
   [[nodiscard]] const MeshPlaces& places() const { return places_; }    ///< of fine()'s points in the mesh
   [[nodiscard]] const MeshPlaces& centres() const { return centres_; }  ///< of the load centres
+  /// Of each of fine()'s points: the nearest load centre.
+  [[nodiscard]] const std::vector<int>& centreOf() const { return centreOf_; }
+  [[nodiscard]] const CornerWarp& warp() const { return warp_; }  ///< makes large turns true ones
 
  private:
   Surface preop_, fine_;
   LoadResponses responses_;
+  CornerWarp warp_;
   MeshPlaces places_, centres_;
+  std::vector<int> centreOf_;
 };
 
 /// Where the liver is now: pre-op places move by the mesh's displacements, then rigidly into the scan's
@@ -36,6 +42,7 @@ class UpdateModel {
 struct UpdateResult {
   Isometry3d scanFromPreop = Isometry3d::Identity();
   Points displacements;   ///< N x 3 at the mesh's nodes, pre-op frame, mm, rigid motion apart
+  Points turns;           ///< N x 3 rotation vectors of tissue there, radians, rigid motion apart
   VectorXd coefficients;  ///< of the load responses
   /// Posterior covariance of (coefficients / coefficientScale, turn about `turnCentre`, shift): mm, radians.
   Eigen::MatrixXd covariance;

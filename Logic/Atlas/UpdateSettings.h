@@ -7,9 +7,10 @@ namespace falciform {
 struct UpdateSettings {
   int maxIterations = 40;
   int samplePoints = 2500;         ///< of the scan in the last iterations; fewer before
-  double effectiveSamples = 1000;  ///< how many independent measurements the scan is worth
+  double effectiveSamples = 1000;  ///< how many independent measurements the scan is worth at most
   double noiseFloorMm = 0.3;       ///< least noise that is believed
-  double patchWeight = 1;          ///< of a patch point's pull towards the same patch
+  double patchWeight = 8;          ///< of a patch point's pull towards the same patch
+  double loadFreedom = 4;          ///< of Student's t, which each place's loads follow beforehand
   double maxBendMm = 40;           ///< largest RMS bending that is believed beforehand
   double seenLoadShare = 0.03;     ///< loads where the scan sees the surface, beside those where it does not
   double reachMm = 15;             ///< how near scan points must be for a place to count as seen
@@ -24,7 +25,8 @@ void describe(UpdateSettings& s, Visitor&& field) {
   field(
       FieldInfo{
           "effectiveSamples", "Effective samples", "", 10, 1e6,
-          "How many independent measurements the whole scan is worth: neighbouring points err together."},
+          "How many independent measurements the whole scan is worth at most. How far neighbouring points err "
+          "together, which makes it worth less, is learnt from the residuals."},
       s.effectiveSamples);
   field(FieldInfo{"noiseFloorMm", "Noise floor", "mm", 0.01, 10,
                   "The fit never believes the scan to be more exact."},
@@ -32,6 +34,10 @@ void describe(UpdateSettings& s, Visitor&& field) {
   field(FieldInfo{"patchWeight", "Patch weight", "", 0, 100,
                   "Pull of a painted point towards the same patch; 0 leaves patches out."},
         s.patchWeight);
+  field(FieldInfo{"loadFreedom", "Freedom of loads", "", 1, 1000,
+                  "Degrees of freedom of Student's t: small where few places press hard, large where all "
+                  "press alike."},
+        s.loadFreedom);
   field(FieldInfo{"maxBendMm", "Largest bending", "mm", 1, 200,
                   "RMS displacement, rigid motion apart, that is believed beforehand at most."},
         s.maxBendMm);
