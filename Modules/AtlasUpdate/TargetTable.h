@@ -5,8 +5,8 @@
 
 namespace falciform {
 
-/// Targets and structures, a row each: where they were, where they are now, how far that may be off, and,
-/// where the truth is known, how far it is off.
+/// Targets and structures, a row each: how far the update moves them, how far that may be off, and, where the
+/// truth is known, how far update and rigid registration are off. Where they are stands in the tooltips.
 class TargetTable : public QTableWidget {
   Q_OBJECT
 

@@ -28,6 +28,15 @@ std::shared_ptr<const Surface> onTheWay(const std::shared_ptr<const Surface>& fr
   return surface;
 }
 
+/// The same surface elsewhere; nullptr for another number of points.
+std::shared_ptr<const Surface> movedTo(const Surface& surface, const Points& points) {
+  if (surface.size() != points.rows()) return nullptr;
+  auto moved = std::make_shared<Surface>(surface);
+  moved->points = points;
+  moved->normals.resize(0, 3);
+  return moved;
+}
+
 double largestOf(const Surface& surface, const char* array) {
   const auto found = surface.arrays.find(array);
   return found == surface.arrays.end() || found->second.size() == 0 ? 0 : found->second.maxCoeff();
@@ -116,6 +125,23 @@ void showUpdate(ViewState& view, const UpdateMaps* maps, const UpdateLook& look)
       options.movedStructures[name] = onTheWay(maps->rigidStructures.at(name), structure, share);
     options.comparedLiver = look.compare ? maps->rigid : nullptr;
     options.comparedCaption = "Rigid registration";
+  });
+}
+
+void showSettling(ViewState& view, const Case& document, const UpdateShape& shape, int iteration) {
+  const auto liver = document.preop() ? movedTo(*document.preop(), shape.liver) : nullptr;
+  if (!liver) return;
+  view.edit([&](ViewOptions& options) {
+    options.updateShown = true;
+    options.liveDeformed = liver;
+    options.deformedCaption = "Settling: iteration " + std::to_string(iteration);
+    options.updateColours.reset();
+    options.comparedLiver.reset();
+    options.structuresBefore = false;
+    options.movedStructures.clear();
+    for (const auto& [name, points] : shape.structures)
+      if (const auto known = document.structures().find(name); known != document.structures().end())
+        if (const auto moved = movedTo(*known->second, points)) options.movedStructures[name] = moved;
   });
 }
 

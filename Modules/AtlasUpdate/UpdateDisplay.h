@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "Logic/Atlas/UpdatedCase.h"
+#include "Modules/AtlasUpdate/UpdateWatch.h"
 #include "Widgets/Views/ViewState.h"
 
 namespace falciform {
@@ -39,6 +40,8 @@ struct UpdateLook {
 
 /// Shows it; without maps, the case as it is registered.
 void showUpdate(ViewState& view, const UpdateMaps* maps, const UpdateLook& look);
+/// An update that is still running, after `iteration`, with the scan on it. `shape` is of the case's liver.
+void showSettling(ViewState& view, const Case& document, const UpdateShape& shape, int iteration);
 /// Nothing of it is shown any more.
 void hideUpdate(ViewState& view);
 

@@ -109,7 +109,7 @@ void UpdatePage::addRun() {
   group->addWidget(figures_);
   connect(update_, &QPushButton::clicked, this, &UpdatePage::runUpdate);
   connect(stop_, &QPushButton::clicked, this, [this] {
-    if (stopWanted_) stopWanted_->store(true);
+    if (watch_) watch_->stop();
     stop_->setEnabled(false);
   });
   connect(fitForm_, &SettingsForm::edited, this, [this] { refresh(); });
@@ -175,7 +175,7 @@ void UpdatePage::addLook() {
 }
 
 void UpdatePage::addTargets() {
-  auto* group = addGroup(tr("Targets"));
+  auto* group = addGroup(tr("Targets, mm"));
   table_ = new TargetTable(this);
   group->addWidget(table_);
   targets_ = button("openTargets", tr("Targets…"),
@@ -258,7 +258,7 @@ void UpdatePage::refresh() {
   modelFacts_->setText(updateModelState(logic_));
   modelFacts_->setVisible(logic_.missingForModel().empty());
   showReadiness(update_, missing_, logic_.missingInput());
-  stop_->setEnabled(running_ && busy && !stopWanted_->load());
+  stop_->setEnabled(running_ && busy && !watch_->stopping());
   liveWords_->setVisible(running_);
 
   const UpdatedCase* made = maps_ ? maps_->of.get() : nullptr;
@@ -270,7 +270,7 @@ void UpdatePage::refresh() {
   stale_->setVisible(!stale.empty());
   showWarnings(warnings_, made ? updateWarnings(*made) : std::vector<std::string>{});
 
-  looks_->setEnabled(made != nullptr);
+  looks_->setEnabled(made && !running_);
   share_->setValue(look_.share);
   meaning_->setText(meaningOf(look_.colours));
   {

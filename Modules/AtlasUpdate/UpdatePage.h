@@ -1,12 +1,10 @@
 #pragma once
-#include <atomic>
 #include <memory>
 
 #include "Logic/Atlas/ModelUpdateLogic.h"
 #include "Modules/AtlasUpdate/UpdateDisplay.h"
 #include "Modules/AtlasUpdate/UpdateWords.h"
 #include "Modules/ModulePanel.h"
-#include "Widgets/Jobs/LiveRecords.h"
 
 class QCheckBox;
 class QComboBox;
@@ -60,8 +58,7 @@ class UpdatePage : public ModulePanel {
   ModelUpdateLogic logic_;
   UpdateLook look_;
   std::shared_ptr<const UpdateMaps> maps_;
-  std::shared_ptr<LiveRecords<UpdateRecord>> live_;
-  std::shared_ptr<std::atomic<bool>> stopWanted_;
+  std::unique_ptr<UpdateWatch> watch_;  ///< while an update runs
   std::size_t liveShown_ = 0;
   bool entered_ = false, running_ = false, preparing_ = false, seeThrough_ = false;
   double opacityBefore_ = 1;

@@ -4,7 +4,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTimer>
-#include <limits>
+#include <cmath>
 
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
@@ -14,33 +14,6 @@
 // The jobs of the update page: preparing, updating, opening and saving.
 
 namespace falciform {
-namespace {
-
-constexpr Index kSampled = 60;     // places that the running update's expected error is reckoned at
-constexpr int kReckonedEvery = 4;  // iterations; it takes as long as an iteration
-
-Points sampleOf(const Points& points) {
-  const Index step = std::max<Index>(1, points.rows() / kSampled);
-  Points sample((points.rows() + step - 1) / step, 3);
-  for (Index i = 0; i < sample.rows(); ++i) sample.row(i) = points.row(i * step);
-  return sample;
-}
-
-/// Notes each iteration in `live`, on the job's thread, and ends the update when `stop` is set.
-UpdateObserver observerOf(std::shared_ptr<LiveRecords<UpdateRecord>> live,
-                          std::shared_ptr<std::atomic<bool>> stop, std::shared_ptr<const UpdateModel> model) {
-  return [live = std::move(live), stop = std::move(stop), model = std::move(model),
-          sample = sampleOf(model->preop().points)](const UpdateStep& step) {
-    UpdateRecord record{step.iteration, step.rmsMm, step.bendMm, std::numeric_limits<double>::quiet_NaN()};
-    if (step.iteration % kReckonedEvery == 1)
-      record.expectedMm = expectedErrorMm(*model, step.result(), sample).mean();
-    live->add(record);
-    return !stop->load();
-  };
-}
-
-}  // namespace
-
 void UpdatePage::prepareModel() {
   preparing_ = true;
   bench().runner.start(
@@ -57,14 +30,13 @@ void UpdatePage::prepareModel() {
 }
 
 void UpdatePage::runUpdate() {
-  live_ = std::make_shared<LiveRecords<UpdateRecord>>();
-  stopWanted_ = std::make_shared<std::atomic<bool>>(false);
+  watch_ = std::make_unique<UpdateWatch>(document(), logic_.model());
   liveShown_ = 0;
   running_ = true;
   curves_->clear();
   liveWords_->clear();
   timer_->start();
-  logic_.observer = observerOf(live_, stopWanted_, logic_.model());
+  logic_.observer = watch_->observer();
   bench().runner.start(
       tr("Updating the model"),
       [job = logic_.prepare()](const Progress& progress) {
@@ -97,14 +69,19 @@ void UpdatePage::endRun() {
   showLive();
   running_ = false;
   timer_->stop();
+  watch_.reset();
+  logic_.observer = nullptr;
+  showInViews();  // what stood before, until a new result is accepted
 }
 
 void UpdatePage::showLive() {
-  if (!live_ || live_->size() == liveShown_) return;
-  const std::vector<UpdateRecord> records = live_->records();
+  if (!watch_ || watch_->size() == liveShown_) return;
+  const std::vector<UpdateRecord> records = watch_->records();
   liveShown_ = records.size();
   liveWords_->setText(liveWords(records));
   showCurves(records);
+  if (entered_ && running_ && !records.empty())
+    showSettling(bench().view, document(), *records.back().shape, records.back().iteration);
 }
 
 void UpdatePage::showCurves(const std::vector<UpdateRecord>& records) {

@@ -4,15 +4,9 @@
 #include <vector>
 
 #include "Logic/Atlas/ModelUpdateLogic.h"
+#include "Modules/AtlasUpdate/UpdateWatch.h"
 
 namespace falciform {
-
-/// One iteration of a running update, as the panel shows it.
-struct UpdateRecord {
-  int iteration = 0;
-  double rmsMm = 0, bendMm = 0;
-  double expectedMm = 0;  ///< over a sample of the surface; NaN where it was not reckoned
-};
 
 // What the page of the model update says, apart from where it says it.
 

@@ -76,8 +76,65 @@ void registrationPictures(MainWindow& window, Workbench& bench,
   press(window, "startFromLandmarks");
 }
 
+void tick(MainWindow& window, const char* box, bool on) {
+  auto* found = window.currentPanel()->findChild<QAbstractButton*>(box);
+  if (found && found->isChecked() != on) found->click();
+}
+
+/// Takes an item of a drop-down list as a person does.
+void take(MainWindow& window, const char* box, int item) {
+  if (auto* found = window.currentPanel()->findChild<QComboBox*>(box)) {
+    found->setCurrentIndex(item);
+    Q_EMIT found->activated(item);
+  }
+}
+
+/// A model prepared, the update while it runs, and all that is to be seen of it.
+void updatePictures(MainWindow& window, Workbench& bench, const std::function<void(const QString&)>& save) {
+  press(window, "prepareUpdate");
+  QTest::qWait(500);
+  if (bench.runner.busy()) save("AtlasUpdate_preparing");
+  waitIdle(bench);
+  save("AtlasUpdate_prepared");
+  press(window, "updateModel");
+  scrollTo(window, "updateModel");
+  while (bench.runner.busy() && !bench.view.options().liveDeformed) QTest::qWait(5);
+  window.repaint();
+  if (bench.runner.busy()) save("AtlasUpdate_settling");
+  waitIdle(bench);
+  save("AtlasUpdate_updated");
+  for (const auto& [colours, name] : std::vector<std::pair<int, QString>>{
+           {0, "plain"}, {1, "motion"}, {2, "residual"}, {3, "expected_error"}}) {
+    take(window, "updateColours", colours);
+    scrollTo(window, "confidence");
+    save("AtlasUpdate_" + name);
+  }
+  take(window, "updateColours", 0);
+  tick(window, "seeInside", true);
+  scrollTo(window, "updateShare");
+  save("AtlasUpdate_inside");
+  take(window, "updateColours", 1);
+  tick(window, "compareViews", true);
+  save("AtlasUpdate_compare");
+  tick(window, "compareViews", false);
+  tick(window, "ctSlices", true);
+  scrollTo(window, "targetTable");
+  save("AtlasUpdate_slices");
+  tick(window, "compareViews", true);
+  save("AtlasUpdate_all");
+  press(window, "showRigid");
+  tick(window, "compareViews", false);
+  tick(window, "ctSlices", false);
+  tick(window, "seeInside", false);
+  scrollTo(window, "updateShare");
+  save("AtlasUpdate_rigid");
+  press(window, "showUpdated");
+}
+
 /// A model prepared, a template on it seen from below and from the front, and a push that is too much.
 void supportPictures(MainWindow& window, Workbench& bench, const std::function<void(const QString&)>& save) {
+  press(window, "pageSupports");
+  QTest::qWait(300);
   press(window, "prepareModel");
   waitIdle(bench);
   press(window, "fillTemplate");
@@ -107,7 +164,7 @@ void supportPictures(MainWindow& window, Workbench& bench, const std::function<v
 
 /// Walks a case through the modules and saves a picture of the window at each: for eyes, and for the user
 /// guide.
-///   WindowPictures FOLDER [CASE or FILE...]
+///   WindowPictures FOLDER [--only MODULE] [CASE or FILE...]
 int main(int argc, char** argv) {
   const test::TemporaryFolder settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
@@ -117,7 +174,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   dressApplication(application);
   if (argc < 2) {
-    std::fprintf(stderr, "usage: WindowPictures FOLDER [CASE or FILE...]\n");
+    std::fprintf(stderr, "usage: WindowPictures FOLDER [--only MODULE] [CASE or FILE...]\n");
     return 2;
   }
   const QString folder = argv[1];
@@ -132,9 +189,16 @@ int main(int argc, char** argv) {
     window.grab().save(folder + "/" + name + ".png");
   };
   save("0_empty");
-  window.open(QApplication::arguments().mid(2));
+  QStringList files = QApplication::arguments().mid(2);
+  QString only;
+  if (files.size() > 1 && files.front() == "--only") {
+    only = files[1];
+    files = files.mid(2);
+  }
+  window.open(files);
   waitIdle(bench);
   for (const Module& module : moduleList()) {
+    if (!only.isEmpty() && only != module.key) continue;
     window.showModule(module.key);
     QTest::qWait(300);
     const QString name = module.key;
@@ -159,7 +223,10 @@ int main(int argc, char** argv) {
     }
     save(name);
     if (name == "Registration" && bench.document.registration()) registrationPictures(window, bench, save);
-    if (name == "AtlasUpdate") supportPictures(window, bench, save);
+    if (name == "AtlasUpdate") {
+      updatePictures(window, bench, save);
+      supportPictures(window, bench, save);
+    }
     if (name == "DeformationAnalysis") {
       press(window, "distanceOnScan");
       save(name + "_scan");

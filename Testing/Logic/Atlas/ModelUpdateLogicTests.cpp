@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Atlas/ModelUpdateLogic.h"
 #include "Logic/Core/Errors.h"
+#include "Testing/Support/LiftedLiver.h"
 #include "Testing/Support/SmallSurfaces.h"
 
 namespace falciform::test {
@@ -14,33 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const SyntheticLiver& liver() {
-  static const SyntheticLiver made = [] {
-    SyntheticLiverSettings shape;
-    shape.edgeLengthMm = 6;
-    return makeSyntheticLiver(shape);
-  }();
-  return made;
-}
-
-/// The front of the liver, its left end lifted by a smooth bend of up to `bendMm`.
-Surface scanOf(double bendMm, const Isometry3d& scanFromPreop) {
-  const Surface& whole = liver().surface;
-  const double front = whole.points.col(1).mean();
-  const double right = whole.points.col(0).minCoeff(), left = whole.points.col(0).maxCoeff();
-  std::vector<int> seen;
-  for (int i = 0; i < whole.size(); ++i)
-    if (whole.points(i, 1) < front) seen.push_back(i);
-  Surface scan;
-  scan.points = whole.points(seen, Eigen::all);
-  for (Index i = 0; i < scan.size(); ++i) {
-    const double along = (scan.points(i, 0) - right) / (left - right);
-    scan.points(i, 1) -= bendMm * along * along;
-  }
-  scan.points = transformed(scan.points, scanFromPreop);
-  scan.frame = "scanner";
-  return scan;
-}
+const SyntheticLiver& liver() { return coarseLiver(); }
 
 /// The logic on a liver, its scan and their registration; the model made once, on coarse elements.
 struct ModelUpdateLogicTest : testing::Test {
@@ -49,16 +23,7 @@ struct ModelUpdateLogicTest : testing::Test {
   Isometry3d pose = randomMotion(3, 40);
 
   ModelUpdateLogicTest() { logic.mesh.edgeLengthMm = 25; }
-  void fill(double bendMm) {
-    document.setPreop(std::make_shared<const Surface>(liver().surface));
-    for (const auto& [name, surface] : liver().structures)
-      document.setStructure(name, std::make_shared<const Surface>(surface));
-    document.setTargets(liver().targets);
-    document.setScan(std::make_shared<const Surface>(scanOf(bendMm, pose)));
-    RegistrationResult registration;
-    registration.scanFromPreop = pose;
-    document.setRegistration(std::make_shared<const RegistrationResult>(registration));
-  }
+  void fill(double bendMm) { fillLifted(document, bendMm, pose); }
   void prepare() {
     static const ModelUpdateLogic::Model made = logic.prepareModel()({});
     ASSERT_TRUE(logic.acceptModel(made));
@@ -71,14 +36,14 @@ TEST_F(ModelUpdateLogicTest, SaysOneAfterTheOtherWhatIsMissing) {
   document.setPreop(std::make_shared<const Surface>(liver().surface));
   EXPECT_THAT(logic.missingForModel(), IsEmpty());
   EXPECT_THAT(logic.missingInput(), HasSubstr("scan"));
-  document.setScan(std::make_shared<const Surface>(scanOf(0, pose)));
+  document.setScan(std::make_shared<const Surface>(scanOfLifted(0, pose)));
   EXPECT_THAT(logic.missingInput(), HasSubstr("Register"));
   document.setRegistration(std::make_shared<const RegistrationResult>());
   EXPECT_THAT(logic.missingInput(), HasSubstr("Prepare"));
   EXPECT_THROW((void)logic.prepare(), InputError);
   prepare();
   EXPECT_THAT(logic.missingInput(), IsEmpty());
-  document.setScan(std::make_shared<const Surface>(scanOf(1, pose)));
+  document.setScan(std::make_shared<const Surface>(scanOfLifted(1, pose)));
   EXPECT_THAT(logic.missingInput(), HasSubstr("register again"));
 }
 
@@ -129,7 +94,7 @@ TEST_F(ModelUpdateLogicTest, AResultSaysWhyItIsStale) {
   EXPECT_TRUE(logic.result()) << "the shape is the same";
   EXPECT_TRUE(logic.model());
   EXPECT_THAT(logic.staleReason(), HasSubstr("liver was painted"));
-  document.setScan(std::make_shared<const Surface>(scanOf(5, pose)));
+  document.setScan(std::make_shared<const Surface>(scanOfLifted(5, pose)));
   EXPECT_THAT(logic.staleReason(), HasSubstr("another scan"));
   painted.points(0, 0) += 1;
   document.setPreop(std::make_shared<const Surface>(painted));
