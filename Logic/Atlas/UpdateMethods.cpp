@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "Logic/Atlas/ClosestAtlas.h"
+#include "Logic/Atlas/ControlPoints.h"
 #include "Logic/Biomechanics/BoundaryFaces.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Geometry/KdTree.h"
@@ -11,36 +12,42 @@
 namespace falciform {
 namespace {
 
-using Model = std::variant<UpdateModel, AtlasModel>;
+using Model = std::variant<UpdateModel, AtlasModel, IncrementalModel>;
 
 [[noreturn]] void refuse(UpdateMethod method, const std::string& found) {
   const std::string name = enumToString(method);
-  if (method == UpdateMethod::Loads)
-    throw InputError("the method 'loads' works with surface loads, not with " + found +
-                     "; leave the atlas out, or build one of surface-loads");
+  if (!needsDeformations(method))
+    throw InputError("the method '" + name + "' works with surface loads, not with " + found +
+                     "; leave the atlas out, build one of surface-loads, or name another method");
   throw InputError("the method '" + name + "' needs an atlas of deformations, and was given " + found +
                    "; build one (falciform atlas build thesis-packing) and give it as --atlas");
-}
-
-std::shared_ptr<const Model> modelOf(UpdateMethod method, const Surface& preop, const UpdateBasis& basis,
-                                     const Progress& progress) {
-  const auto* mesh = std::get_if<std::shared_ptr<const TetrahedralMesh>>(&basis);
-  const auto* atlas = std::get_if<std::shared_ptr<const Atlas>>(&basis);
-  const auto* loads = std::get_if<std::shared_ptr<const LoadResponses>>(&basis);
-  if (method == UpdateMethod::Loads) {
-    if (atlas != nullptr) refuse(method, "an atlas of deformations");
-    return std::make_shared<const Model>(
-        std::in_place_type<UpdateModel>, preop,
-        loads != nullptr ? **loads : solveSurfaceLoads(**mesh, {Material{}}, {}, progress));
-  }
-  if (atlas == nullptr) refuse(method, loads != nullptr ? "one of surface loads" : "none");
-  return std::make_shared<const Model>(std::in_place_type<AtlasModel>, preop, *atlas);
 }
 
 const TetrahedralMesh& meshOf(const UpdateBasis& basis) {
   if (const auto* atlas = std::get_if<std::shared_ptr<const Atlas>>(&basis)) return (*atlas)->mesh;
   if (const auto* loads = std::get_if<std::shared_ptr<const LoadResponses>>(&basis)) return (*loads)->mesh;
   return *std::get<std::shared_ptr<const TetrahedralMesh>>(basis);
+}
+
+std::shared_ptr<const Model> modelOf(UpdateMethod method, const Surface& preop, const UpdateBasis& basis,
+                                     const Progress& progress) {
+  const auto* atlas = std::get_if<std::shared_ptr<const Atlas>>(&basis);
+  const auto* loads = std::get_if<std::shared_ptr<const LoadResponses>>(&basis);
+  const TetrahedralMesh& mesh = meshOf(basis);
+  if (method == UpdateMethod::Incremental)
+    return std::make_shared<const Model>(std::in_place_type<IncrementalModel>, preop, mesh, progress);
+  if (needsDeformations(method)) {
+    if (atlas == nullptr) refuse(method, loads != nullptr ? "one of surface loads" : "none");
+    return std::make_shared<const Model>(std::in_place_type<AtlasModel>, preop, *atlas);
+  }
+  if (atlas != nullptr) refuse(method, "an atlas of deformations");
+  if (method == UpdateMethod::Libr)
+    return std::make_shared<const Model>(
+        std::in_place_type<AtlasModel>, preop,
+        loads != nullptr ? controlPointModes(**loads) : controlPointModes(mesh, {}, progress));
+  return std::make_shared<const Model>(
+      std::in_place_type<UpdateModel>, preop,
+      loads != nullptr ? **loads : solveSurfaceLoads(mesh, {Material{}}, {}, progress));
 }
 
 ClosestAtlasPlan planOf(UpdateMethod method) {
@@ -66,6 +73,11 @@ double meanDistance(const Points& points, const Points& others) {
 }
 
 }  // namespace
+
+bool needsDeformations(UpdateMethod method) {
+  using enum UpdateMethod;
+  return method == Icat || method == IcatStar || method == Constrained || method == Pca;
+}
 
 void checkSameLiver(const TetrahedralMesh& mesh, const Surface& preop) {
   if (mesh.frame != preop.frame)
@@ -98,6 +110,7 @@ PreparedUpdate::PreparedUpdate(UpdateMethod method, const Surface& preop, const 
 
 const TetrahedralMesh& PreparedUpdate::mesh() const {
   if (const auto* atlas = std::get_if<AtlasModel>(model_.get())) return atlas->atlas().mesh;
+  if (const auto* held = std::get_if<IncrementalModel>(model_.get())) return held->mesh();
   return std::get<UpdateModel>(*model_).responses().mesh;
 }
 
@@ -106,9 +119,15 @@ const UpdateModel* PreparedUpdate::model() const { return std::get_if<UpdateMode
 UpdateResult updateByMethod(const PreparedUpdate& prepared, const Surface& scan,
                             const Isometry3d& scanFromPreopStart, const UpdateSettings& settings,
                             std::uint64_t seed, const Progress& progress) {
-  if (const auto* atlas = std::get_if<AtlasModel>(prepared.model_.get()))
+  const Model& model = *prepared.model_;
+  if (const auto* held = std::get_if<IncrementalModel>(&model))
+    return updateIncrementally(*held, scan, scanFromPreopStart, {}, settings, seed, progress);
+  if (const auto* atlas = std::get_if<AtlasModel>(&model)) {
+    if (prepared.method_ == UpdateMethod::Libr)
+      return updateByControlPoints(*atlas, scan, scanFromPreopStart, {}, settings, seed, progress);
     return updateByClosestAtlas(*atlas, scan, scanFromPreopStart, planOf(prepared.method_), settings, seed,
                                 progress);
+  }
   return updateModel(*prepared.model(), scan, scanFromPreopStart, settings, seed, progress);
 }
 

@@ -5,20 +5,24 @@
 #include <variant>
 
 #include "Logic/Atlas/AtlasModel.h"
+#include "Logic/Atlas/IncrementalUpdate.h"
 #include "Logic/Atlas/ModelUpdate.h"
 
 namespace falciform {
 
 /// Ways to a model update: ours, and those of the literature to measure it against.
 enum class UpdateMethod {
-  Loads,        ///< ours: pose and surface loads at once (ModelUpdate.h)
+  Loads,        ///< ours, "model": pose and surface loads at once (ModelUpdate.h)
   Icat,         ///< the thesis's iterative closest atlas (ClosestAtlas.h)
   IcatStar,     ///< the same with patches
+  Incremental,  ///< surface nodes drawn to the scan (Cash et al. 2005; IncrementalUpdate.h)
   Constrained,  ///< members with shares in [0, 1] (Dumpuri et al. 2007)
   Pca,          ///< statistics of the members (Davatzikos et al. 2001)
+  Libr,         ///< control points (after Heiselman et al. 2020; ControlPoints.h)
 };
 inline std::span<const std::string_view> enumNames(UpdateMethod) {
-  static constexpr std::array<std::string_view, 5> names{"loads", "icat", "icat-star", "constrained", "pca"};
+  static constexpr std::array<std::string_view, 7> names{"model",       "icat", "icat-star", "incremental",
+                                                         "constrained", "pca",  "libr"};
   return names;
 }
 
@@ -30,8 +34,9 @@ using UpdateBasis = std::variant<std::shared_ptr<const TetrahedralMesh>, std::sh
 /// The pre-operative side of one method, made ready. Immutable; cheap to copy.
 class PreparedUpdate {
  public:
-  /// `preop`: the surface that the basis's mesh fills, same frame. Loads are solved for where the basis is a
-  /// mesh. Throws InputError where the method needs another basis, or the basis belongs to another liver.
+  /// `preop`: the surface that the basis's mesh fills, same frame. Where the basis is a mesh, what the method
+  /// needs is solved for; incremental FEM takes the mesh of any basis. Throws InputError where the method
+  /// needs another basis, or the basis belongs to another liver.
   PreparedUpdate(UpdateMethod method, const Surface& preop, const UpdateBasis& basis,
                  const Progress& progress = {});
 
@@ -44,7 +49,7 @@ class PreparedUpdate {
   friend UpdateResult updateByMethod(const PreparedUpdate&, const Surface&, const Isometry3d&,
                                      const UpdateSettings&, std::uint64_t, const Progress&);
   UpdateMethod method_;
-  std::shared_ptr<const std::variant<UpdateModel, AtlasModel>> model_;
+  std::shared_ptr<const std::variant<UpdateModel, AtlasModel, IncrementalModel>> model_;
 };
 
 /// The one door to all methods: where a scan says the liver is now, from a rigid registration on. Results
@@ -54,6 +59,9 @@ class PreparedUpdate {
                                           const Isometry3d& scanFromPreopStart,
                                           const UpdateSettings& settings = {}, std::uint64_t seed = 1,
                                           const Progress& progress = {});
+
+/// Whether a method fits an atlas of deformations, and nothing else.
+[[nodiscard]] bool needsDeformations(UpdateMethod method);
 
 /// Throws InputError where `mesh` does not fill `preop`, in words: the atlas of another liver, or another
 /// frame.

@@ -94,24 +94,30 @@ const Atlas& beanAtlas() {
 
 BeanTruth beanTruth(const std::vector<double>& amounts, double noiseMm) {
   const Atlas& atlas = beanAtlas();
+  Points displacements = Points::Zero(atlas.mesh.nodes(), 3);
+  for (std::size_t place = 0; place < amounts.size(); ++place)
+    displacements +=
+        amounts[place] / kStepMm * memberDisplacements(atlas, kAmounts * static_cast<Index>(place));
+  return beanMoved(displacements, noiseMm);
+}
+
+BeanTruth beanMoved(const Points& displacements, double noiseMm) {
+  const TetrahedralMesh mesh = beanMesh();
   BeanTruth truth;
   UpdateResult moved;
   moved.scanFromPreop = truth.scanFromPreop = randomMotion(5);
-  moved.displacements = Points::Zero(atlas.mesh.nodes(), 3);
-  for (std::size_t place = 0; place < amounts.size(); ++place)
-    moved.displacements +=
-        amounts[place] / kStepMm * memberDisplacements(atlas, kAmounts * static_cast<Index>(place));
+  moved.displacements = displacements;
   truth.displacements = moved.displacements;
   std::vector<int> inside;
-  for (Index n = 0; n < atlas.mesh.nodes(); n += 7) inside.push_back(static_cast<int>(n));
-  truth.before = atlas.mesh.points(inside, Eigen::all);
-  truth.after = scanFromPreop(atlas.mesh, moved, truth.before);
+  for (Index n = 0; n < mesh.nodes(); n += 7) inside.push_back(static_cast<int>(n));
+  truth.before = mesh.points(inside, Eigen::all);
+  truth.after = scanFromPreop(mesh, moved, truth.before);
   const Surface fine = subdividedTo(beanSurface(), 2.5);
   const Points normals = vertexNormals(fine);
   std::vector<int> seen;
   for (Index i = 0; i < fine.size(); ++i)
     if (normals(i, 2) > 0.3) seen.push_back(static_cast<int>(i));
-  truth.scan.points = scanFromPreop(atlas.mesh, moved, fine.points(seen, Eigen::all));
+  truth.scan.points = scanFromPreop(mesh, moved, fine.points(seen, Eigen::all));
   Draws draws(11);
   for (Index i = 0; i < truth.scan.size(); ++i) {
     truth.scan.points.row(i) += noiseMm * draws.normal3().transpose();

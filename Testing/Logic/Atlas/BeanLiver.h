@@ -23,6 +23,8 @@ struct BeanTruth {
 };
 /// `amounts`: mm RMS of each of the six places; none of them: a stiff body.
 [[nodiscard]] BeanTruth beanTruth(const std::vector<double>& amounts, double noiseMm);
+/// The same of given displacements of the mesh's nodes.
+[[nodiscard]] BeanTruth beanMoved(const Points& displacements, double noiseMm);
 
 /// Mean distance of an update's inside places from the truth, mm.
 [[nodiscard]] double meanError(const TetrahedralMesh& mesh, const UpdateResult& update,

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 /// statistics expect the members' mean, which is no stiff body.
 struct MethodCase {
   UpdateMethod method;
-  double bentMm;   ///< mean error left of a bending within the atlas's span
+  double bentMm;   ///< mean error left of a bending: within the atlas's span, where there is one
   double stiffMm;  ///< bending found where there is none
 };
 
@@ -36,10 +36,15 @@ class UpdateMethods : public testing::TestWithParam<MethodCase> {
   static Isometry3d registered(const BeanTruth& truth) {
     return registerSurfaces(beanSurface(), truth.scan, {}).scanFromPreop;
   }
-  static UpdateBasis basisOf(UpdateMethod) { return std::make_shared<const Atlas>(beanAtlas()); }
+  static UpdateBasis basisOf(UpdateMethod method) {
+    if (needsDeformations(method)) return std::make_shared<const Atlas>(beanAtlas());
+    return std::make_shared<const TetrahedralMesh>(beanMesh());
+  }
 };
 
-TEST_P(UpdateMethods, RecoversABendingWithinItsAtlas) {
+TEST_P(UpdateMethods, RecoversABendingOfItsKind) {
+  if (GetParam().method == UpdateMethod::Incremental)
+    GTEST_SKIP() << "it holds the liver where nothing holds the bean: see IncrementalUpdate";
   const BeanTruth truth = beanTruth({3, 0, 0, 2, 0, 0}, 0.1);
   const Isometry3d start = registered(truth);
   UpdateResult rigid;
@@ -89,16 +94,17 @@ TEST_P(UpdateMethods, TooFewPointsAreRefused) {
   EXPECT_THROW((void)updateByMethod(prepared(), scan, Isometry3d::Identity()), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, UpdateMethods,
-                         testing::Values(MethodCase{UpdateMethod::Icat, 0.1, 0.1},
-                                         MethodCase{UpdateMethod::IcatStar, 0.4, 0.4},
-                                         MethodCase{UpdateMethod::Constrained, 0.1, 0.1},
-                                         MethodCase{UpdateMethod::Pca, 0.4, 2.5}),
-                         [](const auto& each) {
-                           std::string name = enumToString(each.param.method);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, UpdateMethods,
+    testing::Values(MethodCase{UpdateMethod::Loads, 2.2, 0.1}, MethodCase{UpdateMethod::Libr, 2.2, 0.1},
+                    MethodCase{UpdateMethod::Incremental, 0, 0.1}, MethodCase{UpdateMethod::Icat, 0.1, 0.1},
+                    MethodCase{UpdateMethod::IcatStar, 0.4, 0.4},
+                    MethodCase{UpdateMethod::Constrained, 0.1, 0.1}, MethodCase{UpdateMethod::Pca, 0.4, 2.5}),
+    [](const auto& each) {
+      std::string name = enumToString(each.param.method);
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 UpdateBasis atlasBasis(const Atlas& atlas = beanAtlas()) { return std::make_shared<const Atlas>(atlas); }
 
