@@ -121,6 +121,47 @@ void writeLoads(std::ostream& out, const SharedProblem& problem) {
         << number(problem.pressureMPa) << '\n';
 }
 
+/// The states in CalculiX's file of results, each for a share of the load; those that are not whole left out.
+std::vector<LoadState> readStates(const std::filesystem::path& file, Index nodes) {
+  std::vector<LoadState> states;
+  std::ifstream results(file);
+  for (std::string line; std::getline(results, line);) {
+    if (const std::size_t time = line.find("and time"); time != std::string::npos) {
+      states.push_back({.share = std::atof(line.c_str() + time + 8),
+                        .displacements = Points::Constant(nodes, 3, std::nan(""))});
+      continue;
+    }
+    std::istringstream words(line);
+    Index node = 0;
+    Vector3d u;
+    if (!states.empty() && words >> node >> u[0] >> u[1] >> u[2] && node >= 1 && node <= nodes)
+      states.back().displacements.row(node - 1) = u.transpose();
+  }
+  std::erase_if(states, [](const LoadState& state) { return !state.displacements.allFinite(); });
+  return states;
+}
+
+struct Run {
+  int status = 0;
+  std::vector<LoadState> states;
+};
+Run run(const SharedProblem& problem, Printed printed, const std::filesystem::path& calculix,
+        const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "problem.inp") << calculixInput(problem, printed);
+  const std::string command =
+      "cd '" + folder.string() + "' && '" + calculix.string() + "' -i problem >problem.log 2>&1";
+  const int status = std::system(command.c_str());
+  return {status, readStates(folder / "problem.dat", problem.body.mesh.nodes())};
+}
+
+[[noreturn]] void throwWithLog(const SharedProblem& problem, const std::filesystem::path& folder) {
+  std::ifstream log(folder / "problem.log");
+  std::string all((std::istreambuf_iterator<char>(log)), std::istreambuf_iterator<char>());
+  throw std::runtime_error("CalculiX gave no displacements for '" + problem.name +
+                           "': " + all.substr(all.size() - std::min<std::size_t>(all.size(), 1000)));
+}
+
 }  // namespace
 
 std::optional<std::filesystem::path> findCalculix() {
@@ -134,7 +175,7 @@ std::optional<std::filesystem::path> findCalculix() {
   return {};
 }
 
-std::string calculixInput(const SharedProblem& problem) {
+std::string calculixInput(const SharedProblem& problem, Printed printed) {
   const TetrahedralMesh& mesh = problem.body.mesh;
   std::ostringstream out, extraNodes, equations, values;
   Index extraNode = mesh.nodes();
@@ -156,40 +197,33 @@ std::string calculixInput(const SharedProblem& problem) {
   writeElements(out, mesh, problem.body.materials.size());
   writeMaterials(out, problem.body.materials, problem.neoHookean);
   // Load grows from 0 to all of it: by a fifth to begin with, then by a third at most.
+  const bool every = printed == Printed::EveryState;
   out << equations.str()
-      << (problem.neoHookean ? "*STEP,NLGEOM,INC=60\n*STATIC\n0.2,1.,0.01,0.34\n" : "*STEP\n*STATIC\n")
+      << (!problem.neoHookean ? "*STEP\n*STATIC\n"
+          : every             ? "*STEP,NLGEOM,INC=60\n*STATIC\n0.2,1.,0.01,0.2\n"
+                              : "*STEP,NLGEOM,INC=60\n*STATIC\n0.2,1.,0.01,0.34\n")
       << "*BOUNDARY\n"
       << values.str();
   writeLoads(out, problem);
-  out << "*NODE PRINT,NSET=NALL,FREQUENCY=1000000\nU\n*END STEP\n";  // the last state alone
+  out << "*NODE PRINT,NSET=NALL,FREQUENCY=" << (every ? 1 : 1000000) << "\nU\n*END STEP\n";
   return out.str();
+}
+
+std::vector<LoadState> loadPathWithCalculix(const SharedProblem& problem,
+                                            const std::filesystem::path& calculix,
+                                            const std::filesystem::path& folder) {
+  std::vector<LoadState> states = run(problem, Printed::EveryState, calculix, folder).states;
+  if (states.empty()) throwWithLog(problem, folder);
+  return states;
 }
 
 Points solveWithCalculix(const SharedProblem& problem, const std::filesystem::path& calculix,
                          const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "problem.inp") << calculixInput(problem);
-  const std::string command =
-      "cd '" + folder.string() + "' && '" + calculix.string() + "' -i problem >problem.log 2>&1";
-  const int status = std::system(command.c_str());
-  Points displacements = Points::Constant(problem.body.mesh.nodes(), 3, std::nan(""));
-  std::ifstream results(folder / "problem.dat");
-  bool wholeLoad = false;  // where it gives up, it may print the state of a part of the load
-  for (std::string line; std::getline(results, line);) {
-    if (const std::size_t time = line.find("and time"); time != std::string::npos)
-      wholeLoad = std::abs(std::atof(line.c_str() + time + 8) - 1) < 1e-6;
-    if (!wholeLoad) continue;
-    std::istringstream words(line);
-    Index node = 0;
-    Vector3d u;
-    if (words >> node >> u[0] >> u[1] >> u[2] && node >= 1 && node <= displacements.rows())
-      displacements.row(node - 1) = u.transpose();
-  }
-  if (status == 0 && displacements.allFinite()) return displacements;
-  std::ifstream log(folder / "problem.log");
-  std::string all((std::istreambuf_iterator<char>(log)), std::istreambuf_iterator<char>());
-  throw std::runtime_error("CalculiX gave no displacements for '" + problem.name +
-                           "': " + all.substr(all.size() - std::min<std::size_t>(all.size(), 1000)));
+  Run done = run(problem, Printed::LastState, calculix, folder);
+  // Where it gives up, it may print the state of a part of the load.
+  if (done.status != 0 || done.states.empty() || std::abs(done.states.back().share - 1) > 1e-6)
+    throwWithLog(problem, folder);
+  return std::move(done.states.back().displacements);
 }
 
 }  // namespace falciform::verification

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "Testing/Verification/HeldBody.h"
 
@@ -23,13 +24,30 @@ struct SharedProblem {
 /// CalculiX's executable `ccx` (Debian: calculix-ccx) on the path.
 [[nodiscard]] std::optional<std::filesystem::path> findCalculix();
 
+/// What CalculiX is to print: the state under all of the load, or every state on its way there, which it then
+/// takes by a fifth at most.
+enum class Printed { LastState, EveryState };
+
 /// The problem as an input file: C3D4 or C3D10, *BOUNDARY for nodes held wholly, *EQUATION for those held
 /// along directions of their own.
-[[nodiscard]] std::string calculixInput(const SharedProblem& problem);
+[[nodiscard]] std::string calculixInput(const SharedProblem& problem, Printed printed = Printed::LastState);
 
 /// Runs CalculiX in `folder`: displacements in mm, N x 3, to the seven digits that it prints. Throws
 /// std::runtime_error with the end of its log if it gives none.
 [[nodiscard]] Points solveWithCalculix(const SharedProblem& problem, const std::filesystem::path& calculix,
                                        const std::filesystem::path& folder);
+
+/// The solution under a share of all loads and of all given displacements.
+struct LoadState {
+  double share = 0;
+  Points displacements;
+};
+/// Every state that CalculiX finds between none and all of the load, ascending, though it may not get to the
+/// end: loads and given displacements grow together, so that each is what the problem with less of both has
+/// for its solution. For problems in large displacement. Throws std::runtime_error with the end of its log if
+/// there is none.
+[[nodiscard]] std::vector<LoadState> loadPathWithCalculix(const SharedProblem& problem,
+                                                          const std::filesystem::path& calculix,
+                                                          const std::filesystem::path& folder);
 
 }  // namespace falciform::verification

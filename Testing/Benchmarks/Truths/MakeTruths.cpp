@@ -1,6 +1,7 @@
 // ./run bench make-truths --out DIR [--livers 2,3,4,6,7,9] [--cases-per-liver 3] [--seed S] [--edge MM]:
 // real livers deformed with known truth by CalculiX, in the layout of the real cases' folder `update`, so
 // that methods are tuned on other livers and packings than those they are judged by (Docs/HeldOutTruths.md).
+// ./run bench make-truths --table DIR: the cases of such a folder as a Markdown table.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -18,6 +19,7 @@
 #include "Testing/Benchmarks/Stopwatch.h"
 #include "Testing/Benchmarks/Truths/TruthFiles.h"
 #include "Testing/Benchmarks/Truths/TruthPatches.h"
+#include "Testing/Benchmarks/Truths/TruthTable.h"
 #include "Testing/Support/RealData.h"
 #include "Testing/Support/TemporaryFolder.h"
 
@@ -30,6 +32,7 @@ constexpr int kAttempts = 4;  // seeds, where a plan cannot be carried out
 
 struct Wish {
   std::filesystem::path out;
+  std::filesystem::path table;  ///< only prints what is there
   std::vector<int> livers{2, 3, 4, 6, 7, 9};
   int casesPerLiver = 3;
   std::uint64_t seed = 1;
@@ -49,6 +52,8 @@ Wish parse(int count, char** words) {
     const std::string value = words[++i];
     if (word == "--out") {
       wish.out = value;
+    } else if (word == "--table") {
+      wish.table = value;
     } else if (word == "--livers") {
       wish.livers.clear();
       std::istringstream list(value);
@@ -63,7 +68,8 @@ Wish parse(int count, char** words) {
       throw InputError("there is no option '" + word + "'; see Docs/HeldOutTruths.md");
     }
   }
-  if (wish.out.empty()) throw InputError("--out DIR is missing: the folder that receives the cases");
+  if (wish.out.empty() && wish.table.empty())
+    throw InputError("--out DIR is missing: the folder that receives the cases");
   return wish;
 }
 
@@ -100,6 +106,10 @@ void makeCase(const Surface& preop, int liver, PackedLobe lobe, std::uint64_t se
 }
 
 int run(const Wish& wish) {
+  if (!wish.table.empty()) {
+    std::fputs(truthTable(wish.table).c_str(), stdout);
+    return 0;
+  }
   const auto calculix = verification::findCalculix();
   if (!calculix && !wish.paintOnly) throw InputError("CalculiX is not installed (Debian: calculix-ccx)");
   int missing = 0;

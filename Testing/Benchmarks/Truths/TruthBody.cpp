@@ -19,6 +19,7 @@ constexpr double kClearanceMm = 25;     // between what is held and what is pack
 constexpr double kDome = 0.25;          // height of a pack by its radius
 constexpr double kTumourDepthMm = 8;    // of tissue over the tumour, at least
 constexpr double kLigamentMm = 12;      // of the falciform ligament's upper end, where held
+constexpr double kLeastShare = 0.3;     // of the load: less is not worth a case
 constexpr double kLeastDetJ = 0.1;      // beyond, tissue would tear
 constexpr std::uint64_t kTumour = 100;  // stream of its place; the packs' stand in the plan
 
@@ -148,33 +149,26 @@ TruthBody truthBody(const Surface& preop, const TruthPlan& plan, double edgeMm) 
 
 TruthState solveTruth(const TruthBody& body, const std::filesystem::path& calculix,
                       const std::filesystem::path& folder) {
+  const TetrahedralMesh& mesh = body.problem.body.mesh;
+  std::vector<verification::LoadState> path =
+      verification::loadPathWithCalculix(body.problem, calculix, folder);
   TruthState state;
-  for (state.share = 1; state.share > 0.3; state.share *= 0.8) {
-    verification::SharedProblem problem = body.problem;
-    problem.gravityMPerS2 *= state.share;
-    for (NodeConstraint& constraint : problem.body.constraints) constraint.valuesMm *= state.share;
-    const auto refuse = [&](const std::string& why) {
-      state.refused.push_back("share " + std::to_string(state.share) + ": " + why);
-    };
-    try {
-      state.displacements = solveWithCalculix(problem, calculix, folder);
-    } catch (const std::runtime_error&) {
-      refuse("no convergence");
-      continue;
-    }
-    TetrahedralMesh moved = problem.body.mesh;
-    state.minDetJ = checkDeformation(moved, state.displacements).minDetJ;
+  const auto refuse = [&](double share, const std::string& why) {
+    state.refused.push_back("share " + std::to_string(share) + ": " + why);
+  };
+  if (path.back().share < 1 - 1e-6) refuse(1, "no convergence");
+  for (; !path.empty() && path.back().share > kLeastShare; path.pop_back()) {
+    state.share = path.back().share;
+    state.displacements = std::move(path.back().displacements);
+    state.minDetJ = checkDeformation(mesh, state.displacements).minDetJ;
     if (state.minDetJ < kLeastDetJ) {
-      refuse("a volume is pressed to " + std::to_string(state.minDetJ) + " of itself");
+      refuse(state.share, "a volume is pressed to " + std::to_string(state.minDetJ) + " of itself");
       continue;
     }
-    const BoundaryFaces faces = boundaryFaces(moved);
+    TetrahedralMesh moved = mesh;
     moved.points += state.displacements;
-    if (!selfCrossings(boundarySurface(moved, faces).surface).empty()) {
-      refuse("the surface cuts through itself");
-      continue;
-    }
-    return state;
+    if (selfCrossings(boundarySurface(moved, boundaryFaces(mesh)).surface).empty()) return state;
+    refuse(state.share, "the surface cuts through itself");
   }
   std::string reasons;
   for (const std::string& reason : state.refused) reasons += "; " + reason;

@@ -23,14 +23,14 @@ struct TruthBody {
 /// Where the nodes go under `share` of packs and gravity.
 struct TruthState {
   Points displacements;  ///< N x 3, mm
-  double share = 1;      ///< of packs and gravity, that a solution was found for
+  double share = 1;      ///< of packs and gravity, that it is the solution for
   double minDetJ = 0;
   std::vector<std::string> refused;  ///< why larger shares were not taken
 };
 
-/// Solves by CalculiX in `folder`, with ever smaller shares (1, 0.8, 0.64, ...) until it converges, no volume
-/// is pressed below a tenth of itself and the surface does not cut through itself. Throws std::runtime_error
-/// if no share down to 0.3 does.
+/// Solves by CalculiX in `folder` and takes the farthest state on the way to all of the load in which no
+/// volume is pressed below a tenth of itself and the surface does not cut through itself. Throws
+/// std::runtime_error, with the reasons, if none beyond a share of 0.3 is so.
 [[nodiscard]] TruthState solveTruth(const TruthBody& body, const std::filesystem::path& calculix,
                                     const std::filesystem::path& folder);
 
