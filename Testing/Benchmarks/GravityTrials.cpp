@@ -12,11 +12,14 @@
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Biomechanics/MeshPlaces.h"
 #include "Logic/Core/Draws.h"
+#include "Logic/Geometry/KdTree.h"
+#include "Logic/Geometry/Topology.h"
 
 namespace falciform::bench {
 namespace {
 
-constexpr double kReachMm = 100;  // of the drawn pose of a full surface
+constexpr double kReachMm = 100;    // of the drawn pose of a full surface
+constexpr double kSeenReachMm = 2;  // rays are 1.1 mm apart, noise is 0.5 mm
 
 Vector3d turned(const GravityDesignSettings& design, double yDeg, double zDeg) {
   constexpr double kDeg = std::numbers::pi / 180;
@@ -35,6 +38,16 @@ Eigen::RowVectorXd coefficientsUnder(const Atlas& atlas, const Vector3d& changeM
   return changeMPerS2.transpose() * byAxis;
 }
 
+/// The vertices within `reachMm` of what was scanned.
+Surface seenPart(const Surface& surface, const Points& scanned, double reachMm) {
+  const KdTree tree(scanned);
+  std::vector<int> seen;
+  for (Index i = 0; i < surface.size(); ++i)
+    if (tree.nearest(surface.points.row(i).transpose()).squaredDistance < reachMm * reachMm)
+      seen.push_back(static_cast<int>(i));
+  return subset(surface, seen);
+}
+
 void seeTrial(const Surface& preop, const TetrahedralMesh& mesh, const Points& displacements,
               const GravityPlan& plan, std::uint64_t seed, GravityTrial& trial) {
   Surface moved = preop;
@@ -43,15 +56,22 @@ void seeTrial(const Surface& preop, const TetrahedralMesh& mesh, const Points& d
   const Points after = mesh.points + displacements;
   trial.before = figuresOf(mesh.points, after);
   trial.minDetJ = checkDeformation(mesh, displacements).minDetJ;
-  const Isometry3d pose = drawnPose(seed, kReachMm);
-  trial.full = {transformed(moved, pose, "scanner"), mesh.points, transformed(after, pose)};
-  trial.full.scan.triangles.resize(0, 3);
+  const auto in = [&](const Surface& seen, const Isometry3d& pose) {
+    UpdateTrial made{transformed(seen, pose, "scanner"), mesh.points, transformed(after, pose), pose};
+    made.scan.triangles.resize(0, 3);
+    return made;
+  };
+  trial.full = in(moved, drawnPose(seed, kReachMm));
   VirtualScannerSettings scanner;
   scanner.noiseMm = plan.noiseMm;
   scanner.seed = static_cast<int>(seed);
   VirtualScan seen = scanSurface(moved, scanner);
   trial.coverage = seen.coverage;
-  trial.partial = {std::move(seen.scan), mesh.points, transformed(after, seen.scanFromPreop)};
+  trial.partial =
+      in(seenPart(moved, transformed(seen.scan.points, seen.scanFromPreop.inverse()), kSeenReachMm),
+         seen.scanFromPreop);
+  trial.scanned = {std::move(seen.scan), mesh.points, transformed(after, seen.scanFromPreop),
+                   seen.scanFromPreop};
 }
 
 }  // namespace

@@ -38,6 +38,9 @@ struct UpdateTrial {
   Surface scan;
   Points before;  ///< pre-op mm
   Points after;   ///< the same places where they truly are, in the scan's frame, mm
+  /// How the frames lie, deformation apart: what markers beside the liver would tell. For methods that need
+  /// a start near by; ours is not told.
+  Isometry3d scanFromPreop = Isometry3d::Identity();
 };
 
 struct TrialResult {
