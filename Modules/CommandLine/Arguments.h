@@ -64,12 +64,15 @@ class Syntax {
   void addResult(ResultField field) { results_.push_back(std::move(field)); }
 
   /// One argument a setting, from `describe`. `seed` is left to the global `--seed`; a switch that is on by
-  /// default becomes `--no-...`, since 3D Slicer can only turn flags on.
+  /// default becomes `--no-...`, since 3D Slicer can only turn flags on. `prefix` ("mesh-") keeps steps apart
+  /// that have settings of one name.
   template <class S>
-  void addSettings(S defaults, const std::string& group) {
+  void addSettings(S defaults, const std::string& group, const std::string& prefix = {}) {
     describe(defaults, [&]<class T>(const FieldInfo& info, T& value) {
       if (info.key == "seed") return;
       Argument argument = argumentOf(info, group);
+      argument.name = prefix + argument.name;
+      if (!argument.alias.empty()) argument.alias = prefix + argument.alias;
       if constexpr (std::is_same_v<T, bool>) {
         argument.kind = ArgumentKind::Flag;
         if (value) negate(argument);

@@ -5,6 +5,7 @@
 #include "Modules/CommandLine/DistanceOutputs.h"
 #include "Modules/CommandLine/RegistrationOutputs.h"
 #include "Modules/CommandLine/ReportHtml.h"
+#include "Modules/CommandLine/UpdatePictures.h"
 
 namespace falciform::commandline {
 
@@ -56,11 +57,13 @@ std::vector<std::filesystem::path> caseResultFiles(const std::filesystem::path& 
   for (const std::string& name : registrationFiles()) files.push_back(folder / name);
   for (const std::string& name : distanceFiles()) files.push_back(folder / name);
   for (const std::string& name : kPictures) files.push_back(folder / "pictures" / name);
+  for (const std::string& name : updatePictureNames()) files.push_back(folder / "pictures" / name);
   return files;
 }
 
-void writeCaseResults(const CaseOutcome& outcome, const CaseSettings& settings,
-                      const std::filesystem::path& folder, CommandRun& run, const Progress& progress) {
+void writeCaseResults(const CaseOutcome& outcome, const CaseDescription& description,
+                      const CaseSettings& settings, const std::filesystem::path& folder, CommandRun& run,
+                      const Progress& progress) {
   const auto text = [&](const char* name, const std::string& content) {
     writeTextFile(run.outputs.staged(folder / name), Overwrite::Replace, content);
   };
@@ -80,9 +83,16 @@ void writeCaseResults(const CaseOutcome& outcome, const CaseSettings& settings,
   writeDistance(*outcome.distance, folder, run);
   text("iterations.csv", iterationsCsv(*outcome.registration));
   if (outcome.targetError) text("targets.csv", targetsCsv(*outcome.targetError));
-  const std::vector<PictureFile> pictures = drawPictures(outcome, folder, run, progress.part(0.2, 0.95));
+  const std::vector<PictureFile> pictures = drawPictures(outcome, folder, run, progress.part(0.1, 0.4));
+  std::vector<PictureFile> updated;
+  if (outcome.update) {
+    const BentCt ct =
+        writeCaseUpdate(*outcome.update, description, settings, folder, run, progress.part(0.4, 0.7));
+    updated = saveUpdatePictures(*outcome.update, *outcome.distance, outcome.structures, ct,
+                                 pictures.front().file.parent_path(), progress.part(0.7, 0.95));
+  }
   progress.report(0.95, "Writing the report");
-  text("report.html", reportHtml(outcome, settings, run.provenance, pictures));
+  text("report.html", reportHtml(outcome, settings, run.provenance, pictures, updated));
   run.writeSidecar(folder / "run.json");
 }
 
@@ -93,6 +103,10 @@ void tellCaseResults(const CaseOutcome& outcome, const std::filesystem::path& fo
     run.say("target error: mean " + fixed(outcome.targetError->meanMm, 2) + " mm, largest " +
             fixed(outcome.targetError->maxMm, 2) + " mm (best possible rigid: mean " +
             fixed(outcome.targetError->optimalRigidMeanMm, 2) + " mm)");
+  if (outcome.update) {
+    run.say("model update:");
+    sayUpdate(*outcome.update->updated, run);
+  }
   run.say("pictures: " + (folder / "pictures").string());
   run.say("report:   " + (folder / "report.html").string());
 }

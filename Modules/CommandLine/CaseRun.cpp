@@ -2,6 +2,7 @@
 
 #include "Logic/Patches/PatchTransfer.h"
 #include "Logic/Registration/SurfaceRegistration.h"
+#include "Modules/CommandLine/CaseUpdate.h"
 
 namespace falciform::commandline {
 
@@ -56,7 +57,7 @@ CaseOutcome runCase(const CaseDescription& description, CaseSettings& settings, 
     throw InputError("the case '" + description.name + "' has no 'scan'; name one in case.json");
   CaseOutcome outcome;
   outcome.name = description.name;
-  const Surface preop = preparePreop(description, settings, run, outcome, progress.part(0, 0.35));
+  const Surface preop = preparePreop(description, settings, run, outcome, progress.part(0, 0.2));
   const Surface scan = run.surface(description.folder / description.scan);
   for (const auto& [name, file] : description.structures)
     outcome.structures[name] = std::make_shared<const Surface>(run.surface(description.folder / file));
@@ -68,13 +69,14 @@ CaseOutcome runCase(const CaseDescription& description, CaseSettings& settings, 
                                optionalLandmarks(description, description.preopLandmarks, run),
                                optionalLandmarks(description, description.scanLandmarks, run), run);
   outcome.registration = std::make_shared<const RegistrationResult>(registerSurfaces(
-      preop, scan, settings.registration, outcome.start.scanFromPreop, progress.part(0.4, 0.85)));
+      preop, scan, settings.registration, outcome.start.scanFromPreop, progress.part(0.2, 0.4)));
   run.warn(outcome.registration->warnings);
   outcome.distance = std::make_shared<const DistanceMap>(mapDistances(
-      preop, scan, outcome.registration->scanFromPreop, settings.distance, progress.part(0.85, 1)));
+      preop, scan, outcome.registration->scanFromPreop, settings.distance, progress.part(0.4, 0.5)));
   measureTargets(description, run, outcome);
   outcome.preop = std::make_shared<const Surface>(preop);
   outcome.scan = std::make_shared<const Surface>(scan);
+  outcome.update = updateCase(description, settings, outcome, run, progress.part(0.5, 1));
   return outcome;
 }
 

@@ -2,6 +2,8 @@
 #include <memory>
 #include <optional>
 
+#include "Logic/Atlas/UpdateSettings.h"
+#include "Logic/Biomechanics/MeshSettings.h"
 #include "Logic/Core/Results.h"
 #include "Logic/Deformation/DistanceMapping.h"
 #include "Logic/IO/CaseFolder.h"
@@ -12,6 +14,7 @@
 #include "Modules/CommandLine/PatchSettings.h"
 #include "Modules/CommandLine/StartPose.h"
 #include "Modules/CommandLine/TargetError.h"
+#include "Modules/CommandLine/UpdateImages.h"
 #include "Widgets/Rendering/Pictures.h"
 
 namespace falciform::commandline {
@@ -23,12 +26,19 @@ struct CaseSettings {
   RegistrationSettings registration;
   DistanceSettings distance;
   std::string preset = "default", init;
+  MeshSettings mesh{.edgeLengthMm = 13};  ///< coarser than an atlas's: made while someone waits
+  UpdateSettings update;
+  bool withUpdate = true;
+  ImageFrame imagesIn = ImageFrame::Scan;
+  double gridSpacingMm = 3;
 };
+
+struct CaseUpdate;
 
 /// Declares them all as arguments.
 void declareCaseSettings(Syntax& syntax);
 /// Defaults, then what case.json says ({"import", "patches", "registration" (with "preset" and "init"),
-/// "distance"}), then the arguments. Throws InputError for unknown parts.
+/// "distance", "mesh", "update"}), then the arguments. Throws InputError for unknown parts.
 [[nodiscard]] CaseSettings caseSettings(const CaseDescription& description, const ParsedArguments& arguments);
 [[nodiscard]] nlohmann::json toJson(const CaseSettings& settings);
 
@@ -42,11 +52,13 @@ struct CaseOutcome {
   StartPose start;
   std::shared_ptr<const RegistrationResult> registration;
   std::shared_ptr<const DistanceMap> distance;
-  std::optional<TargetError> targetError;  ///< where the case has targets and their truth
+  std::shared_ptr<const CaseUpdate> update;  ///< nullptr where there is none
+  std::optional<TargetError>
+      targetError;  ///< of the registration, where the case has targets and their truth
 };
 
-/// Label map or surface, patches, registration, distance map, target error: the main job, in the order of the
-/// work. Throws InputError if the case has no scan, or neither surface nor label map.
+/// Label map or surface, patches, registration, distance map, target error, model update: the main job, in
+/// the order of the work. Throws InputError if the case has no scan, or neither surface nor label map.
 [[nodiscard]] CaseOutcome runCase(const CaseDescription& description, CaseSettings& settings, CommandRun& run,
                                   const Progress& progress);
 

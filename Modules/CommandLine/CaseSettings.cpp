@@ -1,9 +1,13 @@
+#include <set>
+
 #include "Modules/CommandLine/CaseRun.h"
 #include "Modules/CommandLine/RegistrationOutputs.h"
 
 namespace falciform::commandline {
 
 namespace {
+
+const std::set<std::string> kParts{"import", "patches", "registration", "distance", "mesh", "update"};
 
 /// Takes `key` out of `json` and returns its text, or `fallback`.
 std::string takeText(nlohmann::json& json, const std::string& key, const std::string& fallback) {
@@ -31,14 +35,23 @@ void declareCaseSettings(Syntax& syntax) {
   declarePreset(syntax, "Registration");
   syntax.addSettings(RegistrationSettings{}, "Registration");
   syntax.addSettings(DistanceSettings{}, "Distance map");
+  const CaseSettings defaults;
+  syntax.add({.name = "no-update",
+              .kind = ArgumentKind::Flag,
+              .label = "No model update",
+              .help = "Stops at the rigid registration and its distance map.",
+              .group = "Model update"});
+  declareImageFrame(syntax, "Model update");
+  syntax.addSettings(defaults.update, "Model update", "update-");
+  syntax.addSettings(defaults.mesh, "Model update: mesh", "mesh-");
 }
 
 CaseSettings caseSettings(const CaseDescription& description, const ParsedArguments& arguments) {
   const nlohmann::json& given = description.settings;
   for (const auto& [key, unused] : given.items())
-    if (key != "import" && key != "patches" && key != "registration" && key != "distance")
+    if (!kParts.contains(key))
       throw InputError("case.json: settings have no part '" + key +
-                       "'; the parts are import, patches, registration and distance");
+                       "'; the parts are import, patches, registration, distance, mesh and update");
   const auto part = [&](const char* key) { return given.value(key, nlohmann::json::object()); };
   nlohmann::json registration = part("registration");
 
@@ -57,6 +70,10 @@ CaseSettings caseSettings(const CaseDescription& description, const ParsedArgume
   settings.registration =
       arguments.settings(settingsFromJson(registration, registrationPreset(settings.preset)));
   settings.distance = arguments.settings(settingsFromJson(part("distance"), settings.distance));
+  settings.mesh = arguments.settings(settingsFromJson(part("mesh"), settings.mesh), "mesh-");
+  settings.update = arguments.settings(settingsFromJson(part("update"), settings.update), "update-");
+  settings.withUpdate = !arguments.has("no-update");
+  readImageFrame(arguments, settings.imagesIn, settings.gridSpacingMm);
   return settings;
 }
 
@@ -65,6 +82,11 @@ nlohmann::json toJson(const CaseSettings& settings) {
           {"patches", settingsToJson(settings.patches)},
           {"registration", settingsToJson(settings.registration)},
           {"distance", settingsToJson(settings.distance)},
+          {"mesh", settingsToJson(settings.mesh)},
+          {"update", settingsToJson(settings.update)},
+          {"images_in", enumToString(settings.imagesIn)},
+          {"grid_spacing_mm", settings.gridSpacingMm},
+          {"with_update", settings.withUpdate},
           {"preset", settings.preset}};
 }
 

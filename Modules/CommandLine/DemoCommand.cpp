@@ -1,5 +1,6 @@
 #include "Modules/CommandLine/BuiltInCase.h"
 #include "Modules/CommandLine/CaseResults.h"
+#include "Modules/CommandLine/CaseUpdate.h"
 #include "Modules/CommandLine/Commands.h"
 
 namespace falciform::commandline {
@@ -30,8 +31,9 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   // folder.
   const CaseDescription description = readCaseDescription(run.outputs.staged(caseFolder / "case.json"));
   CaseSettings settings = caseSettings(description, arguments);
+  announceCaseUpdate(description, settings, results, run);
   const CaseOutcome outcome = runCase(description, settings, run, run.progress.part(0.3, 0.75));
-  writeCaseResults(outcome, settings, results, run, run.progress.part(0.75, 1));
+  writeCaseResults(outcome, description, settings, results, run, run.progress.part(0.75, 1));
   run.say("case:     " + caseFolder.string());
   tellCaseResults(outcome, results, run);
 }

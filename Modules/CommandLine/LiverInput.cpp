@@ -27,7 +27,8 @@ void declareLiverInput(Syntax& syntax, const std::string& group) {
               .group = group});
 }
 
-LiverInput readLiverInput(const ParsedArguments& arguments, CommandRun& run, const Progress& progress) {
+LiverInput readLiverInput(const ParsedArguments& arguments, CommandRun& run, const Progress& progress,
+                          const MeshSettings& meshing) {
   const bool preop = arguments.has("preop"), mesh = arguments.has("mesh"), tumours = arguments.has("tumours");
   if (!preop && !mesh)
     throw InputError(
@@ -49,7 +50,7 @@ LiverInput readLiverInput(const ParsedArguments& arguments, CommandRun& run, con
                        input.mesh.frame + "; bring both into one frame");
     return input;
   }
-  const auto settings = arguments.settings(MeshSettings{});
+  const auto settings = arguments.settings(meshing);
   run.settings["mesh"] = settingsToJson(settings);
   std::vector<falciform::Surface> inside;
   std::istringstream names(arguments.text("tumours"));

@@ -15,9 +15,9 @@ struct LiverInput {
 /// --preop, --mesh and --tumours. Mesh settings are declared apart.
 void declareLiverInput(Syntax& syntax, const std::string& group);
 
-/// Reads the mesh, or makes one of the surface. Throws InputError if neither is given or they are of
-/// different frames.
+/// Reads the mesh, or makes one of the surface; `meshing` holds where no argument says otherwise, and is what
+/// was declared. Throws InputError if neither is given or they are of different frames.
 [[nodiscard]] LiverInput readLiverInput(const ParsedArguments& arguments, CommandRun& run,
-                                        const Progress& progress);
+                                        const Progress& progress, const MeshSettings& meshing = {});
 
 }  // namespace falciform::commandline

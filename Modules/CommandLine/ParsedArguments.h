@@ -27,17 +27,17 @@ class ParsedArguments {
   [[nodiscard]] int integer(const std::string& name) const { return parseInteger(name, text(name)); }
   [[nodiscard]] std::filesystem::path path(const std::string& name) const { return text(name); }
 
-  /// `settings` with the members replaced that were given.
+  /// `settings` with the members replaced that were given; `prefix` as they were declared.
   template <class S>
-  [[nodiscard]] S settings(S settings) const {
+  [[nodiscard]] S settings(S settings, const std::string& prefix = {}) const {
     describe(settings, [&]<class T>(const FieldInfo& info, T& value) {
-      const std::string key = kebabCase(info.key);
+      const std::string key = prefix + kebabCase(info.key);
       if constexpr (std::is_same_v<T, bool>) {
         if (declared("no-" + key) && has("no-" + key)) value = false;
         if (declared(key) && has(key)) value = true;
       } else {
         if (!declared(key) || (!has(key) && info.key != "seed")) return;
-        const std::string given = text(key), flag = "--" + flagName(info);
+        const std::string given = text(key), flag = "--" + prefix + flagName(info);
         if constexpr (std::is_same_v<T, int>)
           value = parseInteger(flag, given);
         else if constexpr (std::is_same_v<T, double>)

@@ -10,6 +10,7 @@ namespace falciform::commandline {
 /// warnings in plain words, settings and provenance; residuals are called fit, and target error stands only
 /// where there is truth.
 [[nodiscard]] std::string reportHtml(const CaseOutcome& outcome, const CaseSettings& settings,
-                                     const Provenance& provenance, const std::vector<PictureFile>& pictures);
+                                     const Provenance& provenance, const std::vector<PictureFile>& pictures,
+                                     const std::vector<PictureFile>& updatePictures);
 
 }  // namespace falciform::commandline

@@ -153,9 +153,10 @@ std::string targetSection(const CaseOutcome& outcome) {
     }
     each.row(cells);
   }
-  return htmlSection("Target error", htmlParagraph("Points inside the liver whose true place is known. What "
-                                                   "no rigid motion can reach is deformation.") +
-                                         summary.html() + each.html());
+  return htmlSection("Target error of the registration",
+                     htmlParagraph("Points inside the liver whose true place is known. What "
+                                   "no rigid motion can reach is deformation.") +
+                         summary.html() + each.html());
 }
 
 std::string distanceSection(const CaseOutcome& outcome) {
@@ -181,6 +182,8 @@ std::string settingsSection(const CaseSettings& settings) {
   settingRows(table, "Patch transfer", settings.patches);
   settingRows(table, "Registration", settings.registration);
   settingRows(table, "Distance map", settings.distance);
+  settingRows(table, "Mesh", settings.mesh);
+  settingRows(table, "Model update", settings.update);
   return htmlSection("Settings",
                      htmlParagraph("Registration preset: " + settings.preset + ".") + table.html());
 }

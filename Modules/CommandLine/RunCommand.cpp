@@ -1,4 +1,5 @@
 #include "Modules/CommandLine/CaseResults.h"
+#include "Modules/CommandLine/CaseUpdate.h"
 #include "Modules/CommandLine/Commands.h"
 
 namespace falciform::commandline {
@@ -13,13 +14,15 @@ void declare(Syntax& syntax) {
               .required = true,
               .positional = true,
               .group = "Files"});
-  syntax.add({.name = "out",
-              .kind = ArgumentKind::Folder,
-              .label = "Result folder",
-              .help = "Receives surfaces, transforms, tables, pictures, report.html and run.json.",
-              .required = true,
-              .output = true,
-              .group = "Files"});
+  syntax.add(
+      {.name = "out",
+       .kind = ArgumentKind::Folder,
+       .label = "Result folder",
+       .help = "Receives surfaces, transforms, tables, pictures, report.html, run.json, and update/ with the "
+               "liver as it is now.",
+       .required = true,
+       .output = true,
+       .group = "Files"});
   declareCaseSettings(syntax);
 }
 
@@ -29,9 +32,10 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path given = arguments.path("CASE");
   const CaseDescription description = readCaseDescription(given);
   CaseSettings settings = caseSettings(description, arguments);
+  announceCaseUpdate(description, settings, folder, run);
   run.remember(std::filesystem::is_directory(given) ? given / "case.json" : given);
   const CaseOutcome outcome = runCase(description, settings, run, run.progress.part(0, 0.7));
-  writeCaseResults(outcome, settings, folder, run, run.progress.part(0.7, 1));
+  writeCaseResults(outcome, description, settings, folder, run, run.progress.part(0.7, 1));
   tellCaseResults(outcome, folder, run);
 }
 
@@ -39,8 +43,10 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
 
 Command runCommand() {
   return {"run", "Run case",
-          "Carries a case from its label map to registration, distance map, pictures and a report.", declare,
-          execute};
+          "Carries a case from its label map to registration, distance map, model update, warped CT, "
+          "pictures and "
+          "a report.",
+          declare, execute};
 }
 
 }  // namespace falciform::commandline

@@ -9,6 +9,9 @@
 namespace falciform::commandline {
 namespace {
 
+/// Coarser than an atlas's: it is made while someone waits, and the fit gains nothing from finer elements.
+constexpr MeshSettings kMeshing{.edgeLengthMm = 13};
+
 void declare(Syntax& syntax) {
   using enum ArgumentKind;
   const std::string group = "Files";
@@ -30,7 +33,7 @@ void declare(Syntax& syntax) {
               .output = true,
               .group = group});
   syntax.addSettings(UpdateSettings{}, "Fit");
-  syntax.addSettings(MeshSettings{.edgeLengthMm = 13}, "Mesh, where none is given");
+  syntax.addSettings(kMeshing, "Mesh, where none is given");
   syntax.addResult({"rms_mm", "RMS residual (fit, not target error)", "mm"});
   syntax.addResult({"expected_error_mean_mm", "Expected target error", "mm"});
   syntax.addResult({"target_error_mean_mm", "Mean target error", "mm"});
@@ -57,7 +60,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   announceImages(images, folder, run);
   const UpdateInput input = readUpdateInput(arguments, run);
   announceStructures(input, folder, run);
-  const LiverInput liver = readLiverInput(arguments, run, run.progress.part(0, 0.2));
+  const LiverInput liver = readLiverInput(arguments, run, run.progress.part(0, 0.2), kMeshing);
   run.warn(patchWarnings(liver.surface, input.scan));
 
   const UpdateModel model(liver.surface,

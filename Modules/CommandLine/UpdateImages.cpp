@@ -96,6 +96,32 @@ SampledGrid displacementGrid(const ImageOutputsPlan& plan, const UpdateMap& map,
 
 }  // namespace
 
+void declareImageFrame(Syntax& syntax, const std::string& group) {
+  using enum ArgumentKind;
+  syntax.add({.name = "images-in",
+              .kind = Choice,
+              .label = "Images in",
+              .help = "scan: as *_updated, where the liver is now; preop: as *_bent_preop, bent only, to lie "
+                      "over the CT as it was; or both.",
+              .fallback = "scan",
+              .choices = {"scan", "preop", "both"},
+              .group = group});
+  syntax.add({.name = "grid-spacing",
+              .kind = Number,
+              .label = "Grid spacing",
+              .unit = "mm",
+              .help = "Of the displacement grid, about; 0: every voxel of the CT.",
+              .fallback = "3",
+              .min = 0,
+              .max = 100,
+              .group = group});
+}
+
+void readImageFrame(const ParsedArguments& arguments, ImageFrame& frame, double& gridSpacingMm) {
+  gridSpacingMm = parseNumber("--grid-spacing", arguments.text("grid-spacing"));
+  frame = enumFromString<ImageFrame>("--images-in", arguments.text("images-in"));
+}
+
 void declareUpdateImages(Syntax& syntax, const std::string& group) {
   using enum ArgumentKind;
   syntax.add(
@@ -109,14 +135,7 @@ void declareUpdateImages(Syntax& syntax, const std::string& group) {
               .label = "Label map",
               .help = "The label map, pre-op frame: written as it would look now, labels_updated.*.",
               .group = group});
-  syntax.add({.name = "images-in",
-              .kind = Choice,
-              .label = "Images in",
-              .help = "scan: as *_updated, where the liver is now; preop: as *_bent_preop, bent only, to lie "
-                      "over the CT as it was; or both.",
-              .fallback = "scan",
-              .choices = {"scan", "preop", "both"},
-              .group = group});
+  declareImageFrame(syntax, group);
   syntax.add({.name = "grid",
               .kind = File,
               .label = "Displacement grid",
@@ -125,15 +144,6 @@ void declareUpdateImages(Syntax& syntax, const std::string& group) {
                   "3D Slicer's grid transforms are (vectors lead back). The rigid part is "
                   "scan_from_preop.tfm.",
               .output = true,
-              .group = group});
-  syntax.add({.name = "grid-spacing",
-              .kind = Number,
-              .label = "Grid spacing",
-              .unit = "mm",
-              .help = "Of the displacement grid, about; 0: every voxel of the CT.",
-              .fallback = "3",
-              .min = 0,
-              .max = 100,
               .group = group});
   syntax.add({.name = "tool-tips",
               .kind = File,
@@ -148,9 +158,8 @@ ImageOutputsPlan imageOutputs(const ParsedArguments& arguments) {
   ImageOutputsPlan plan{.ct = arguments.path("ct"),
                         .labels = arguments.path("labels"),
                         .grid = arguments.path("grid"),
-                        .toolTips = arguments.path("tool-tips"),
-                        .gridSpacingMm = parseNumber("--grid-spacing", arguments.text("grid-spacing")),
-                        .frame = enumFromString<ImageFrame>("--images-in", arguments.text("images-in"))};
+                        .toolTips = arguments.path("tool-tips")};
+  readImageFrame(arguments, plan.frame, plan.gridSpacingMm);
   if (!plan.grid.empty() && !isDisplacementFile(plan.grid))
     throw InputError("--grid is '" + plan.grid.string() +
                      "'; displacements are written as .nrrd, .nii or .nii.gz");

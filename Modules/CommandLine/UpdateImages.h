@@ -29,6 +29,9 @@ struct ImageOutputsPlan {
 
 /// --ct, --labels, --images-in, --grid, --grid-spacing, --tool-tips.
 void declareUpdateImages(Syntax& syntax, const std::string& group);
+/// Of these --images-in and --grid-spacing alone, for a case that names its volumes itself.
+void declareImageFrame(Syntax& syntax, const std::string& group);
+void readImageFrame(const ParsedArguments& arguments, ImageFrame& frame, double& gridSpacingMm);
 /// Throws InputError for file names of the wrong kind.
 [[nodiscard]] ImageOutputsPlan imageOutputs(const ParsedArguments& arguments);
 

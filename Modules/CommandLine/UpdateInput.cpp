@@ -48,8 +48,10 @@ UpdateInput readUpdateInput(const ParsedArguments& arguments, CommandRun& run) {
   input.scan = run.surface(arguments.path("scan"));
   std::istringstream names(arguments.text("structures"));
   for (std::string name; std::getline(names, name, ',');)
-    if (!name.empty())
-      input.structures.push_back({fs::path(name).stem().string() + "_updated.vtp", run.surface(name)});
+    if (!name.empty()) {
+      const std::string stem = fs::path(name).stem().string();
+      input.structures.push_back({stem, stem + "_updated.vtp", run.surface(name)});
+    }
   if (arguments.has("targets")) input.targets = run.landmarks(arguments.path("targets"));
   if (arguments.has("truth-targets")) input.truth = run.landmarks(arguments.path("truth-targets"));
   input.settings = arguments.settings(UpdateSettings{});

@@ -14,7 +14,7 @@ namespace falciform::commandline {
 /// What `falciform update` is told of the scan's side and wants moved; the liver is read by readLiverInput.
 struct UpdateInput {
   struct Structure {
-    std::string file;  ///< to be written
+    std::string name, file;  ///< as it is called, and to be written
     falciform::Surface surface;
   };
   falciform::Surface scan;

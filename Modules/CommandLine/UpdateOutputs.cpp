@@ -2,12 +2,13 @@
 
 #include "Logic/Atlas/UpdatedPlaces.h"
 #include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/OutputFile.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Modules/CommandLine/Figures.h"
 #include "Modules/CommandLine/PictureTiles.h"
 #include "Modules/CommandLine/RegistrationOutputs.h"
-#include "Modules/CommandLine/TargetError.h"
 #include "Modules/CommandLine/UpdatePicture.h"
+#include "Modules/CommandLine/UpdateTargets.h"
 
 namespace falciform::commandline {
 
@@ -46,28 +47,24 @@ void writeTargets(const UpdatedLiver& liver, const fs::path& file) {
   writeLandmarks(file, updated, Overwrite::Replace);
 }
 
-void tellTargetError(const UpdatedLiver& liver, CommandRun& run) {
+std::optional<TargetError> targetErrorOf(const UpdatedLiver& liver) {
+  if (liver.input.truth.points.empty()) return {};
   RegistrationResult bent;
   bent.scanFromPreop = liver.update.scanFromPreop;
   bent.warp = RegistrationWarp{
       [&](const falciform::Points& preop) { return scanFromPreop(liver.liver.mesh, liver.update, preop); },
       liver.moved.points};
-  const TargetError error =
-      measureTargetError(liver.input.targets, liver.input.truth, bent, liver.rigid.scanFromPreop);
-  run.figures["target_error"] = toJson(error);
-  run.figures["target_error_mean_mm"] = error.meanMm;
-  run.say("target error: mean " + fixed(error.meanMm, 2) + " mm, largest " + fixed(error.maxMm, 2) +
-          " mm; by the rigid registration alone " + fixed(error.startMeanMm, 2) +
-          ", by the best rigid motion there is " + fixed(error.optimalRigidMeanMm, 2));
+  return measureTargetError(liver.input.targets, liver.input.truth, bent, liver.rigid.scanFromPreop);
 }
 
 }  // namespace
 
 UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input, const RegistrationResult& rigid,
                           const UpdateResult& update, const UpdateModel* model) {
-  UpdatedLiver updated{liver, input, rigid, update, model, {}};
+  UpdatedLiver updated{liver, input, rigid, update, model, {}, {}};
   updated.moved = movedSurface(updated, liver.surface);
   if (model != nullptr) updated.moved.arrays[kExpectedError] = surfaceExpectation(updated);
+  updated.targetError = targetErrorOf(updated);
   return updated;
 }
 
@@ -87,6 +84,7 @@ void announceUpdate(const fs::path& folder, bool targets, CommandRun& run) {
 void announceStructures(const UpdateInput& input, const fs::path& folder, CommandRun& run) {
   for (const UpdateInput::Structure& structure : input.structures)
     run.outputs.announce(folder / structure.file);
+  if (!input.targets.points.empty() || !input.structures.empty()) run.outputs.announce(folder / kTargetTable);
 }
 
 void writeUpdate(const UpdatedLiver& liver, const ParsedArguments& arguments, CommandRun& run) {
@@ -105,37 +103,68 @@ void writeUpdate(const UpdatedLiver& liver, const fs::path& folder, CommandRun& 
   writePose(liver.update.scanFromPreop, folder, run);
   if (!liver.input.targets.points.empty())
     writeTargets(liver, run.outputs.staged(folder / "targets_updated.mrk.json"));
+  if (!liver.input.targets.points.empty() || !liver.input.structures.empty())
+    writeTextFile(run.outputs.staged(folder / kTargetTable), Overwrite::Replace,
+                  targetsCsv(targetRows(liver)));
   run.frames["updated.vtp"] = "the pre-op surface where it is now, in the scan's frame, mm";
   run.frames["scan_from_preop"] = kScanFromPreopInWords;
 }
 
-void tellUpdate(const UpdatedLiver& liver, CommandRun& run) {
+nlohmann::json updateFigures(const UpdatedLiver& liver) {
   const UpdateResult& update = liver.update;
-  run.figures = {{"rms_mm", update.rmsMm},
-                 {"noise_mm", update.noiseMm},
-                 {"bending_mm", update.bendMm},
-                 {"largest_displacement_mm", update.largestMm},
-                 {"loads_determined", update.effectiveParameters},
-                 {"min_det_j", update.minDetJ},
-                 {"iterations", update.iterations},
-                 {"converged", update.converged},
-                 {"stop_reason", update.stopReason},
-                 {"update_s", update.seconds}};
+  nlohmann::json figures{{"rms_mm", update.rmsMm},
+                         {"noise_mm", update.noiseMm},
+                         {"bending_mm", update.bendMm},
+                         {"largest_displacement_mm", update.largestMm},
+                         {"loads_determined", update.effectiveParameters},
+                         {"min_det_j", update.minDetJ},
+                         {"iterations", update.iterations},
+                         {"converged", update.converged},
+                         {"stop_reason", update.stopReason},
+                         {"update_s", update.seconds}};
+  if (liver.model != nullptr)
+    figures["expected_error_mean_mm"] = liver.moved.arrays.at(kExpectedError).mean();
+  if (liver.rigid.expectedErrorMeanMm > 0)
+    figures["registered_expected_error_mean_mm"] = liver.rigid.expectedErrorMeanMm;
+  if (const std::vector<TargetRow> rows = targetRows(liver); !rows.empty()) figures["targets"] = toJson(rows);
+  if (liver.targetError) {
+    figures["target_error"] = toJson(*liver.targetError);
+    figures["target_error_mean_mm"] = liver.targetError->meanMm;
+  }
+  return figures;
+}
+
+std::vector<std::string> updateWarnings(const UpdatedLiver& liver) {
+  if (liver.model == nullptr || liver.update.converged) return {};
+  const double expected = liver.moved.arrays.at(kExpectedError).mean(),
+               before = liver.rigid.expectedErrorMeanMm;
+  if (before <= 0 || expected <= before) return {};
+  return {"the update expects to err by " + fixed(expected, 1) + " mm, the rigid registration by " +
+          fixed(before, 1) +
+          " mm: the scan does not tell this bending; stay with the registration, or scan more of the "
+          "surface"};
+}
+
+void sayUpdate(const UpdatedLiver& liver, CommandRun& run) {
+  const UpdateResult& update = liver.update;
   run.say("fit (not target error): RMS " + fixed(update.rmsMm, 2) + " mm; " + update.stopReason + " after " +
           std::to_string(update.iterations) + " iterations, " + fixed(update.seconds, 2) + " s");
   run.say("largest displacement beside the rigid motion " + fixed(update.largestMm, 1) +
           " mm; smallest local ratio of volumes " + fixed(update.minDetJ, 2));
-  if (liver.model != nullptr) {
-    const double expected = liver.moved.arrays.at(kExpectedError).mean(),
-                 before = liver.rigid.expectedErrorMeanMm;
-    run.figures["expected_error_mean_mm"] = expected;
-    if (!update.converged && before > 0 && expected > before)
-      run.warn("the update expects to err by " + fixed(expected, 1) + " mm, the rigid registration by " +
-               fixed(before, 1) +
-               " mm: the scan does not tell this bending; stay with the registration, or scan more of the "
-               "surface");
-  }
-  if (!liver.input.truth.points.empty()) tellTargetError(liver, run);
+  if (liver.model != nullptr)
+    run.say("expected error: mean " + fixed(liver.moved.arrays.at(kExpectedError).mean(), 1) +
+            " mm over the surface");
+  if (liver.targetError)
+    run.say("target error: mean " + fixed(liver.targetError->meanMm, 2) + " mm, largest " +
+            fixed(liver.targetError->maxMm, 2) + " mm; by the rigid registration alone " +
+            fixed(liver.targetError->startMeanMm, 2) + ", by the best rigid motion there is " +
+            fixed(liver.targetError->optimalRigidMeanMm, 2));
+}
+
+void tellUpdate(const UpdatedLiver& liver, CommandRun& run) {
+  run.figures = updateFigures(liver);
+  run.warn(updateWarnings(liver));
+  sayUpdate(liver, run);
 }
 
 }  // namespace falciform::commandline

@@ -1,9 +1,12 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "Logic/Atlas/ModelUpdate.h"
 #include "Logic/Core/Results.h"
 #include "Modules/CommandLine/LiverInput.h"
+#include "Modules/CommandLine/TargetError.h"
 #include "Modules/CommandLine/UpdateInput.h"
 
 namespace falciform::commandline {
@@ -17,8 +20,10 @@ struct UpdatedLiver {
   const UpdateModel* model;         ///< of a method that expects an error, else nullptr
   falciform::Surface moved;  ///< the pre-op surface where it is now, with kDisplacement and, where there is a
                              ///< model, kExpectedError
+  std::optional<TargetError> targetError;  ///< where the truth is known
 };
 
+inline constexpr char kTargetTable[] = "targets_updated.csv";
 inline constexpr char kExpectedError[] = "expected_error_mm";
 
 /// Moves the surface and works out its expected error.
@@ -37,8 +42,14 @@ void writeUpdate(const UpdatedLiver& updated, const ParsedArguments& arguments, 
 /// The same without a picture.
 void writeUpdate(const UpdatedLiver& updated, const std::filesystem::path& folder, CommandRun& run);
 
-/// The update's figures, on stdout and in the sidecar; target error where there is truth; warns where the
-/// update expects to be worse than what it began from.
+/// All figures of an update, target error where there is truth among them.
+[[nodiscard]] nlohmann::json updateFigures(const UpdatedLiver& updated);
+/// What is to be said in plain words: an update that expects to be worse than what it began
+/// from.
+[[nodiscard]] std::vector<std::string> updateWarnings(const UpdatedLiver& updated);
+/// The figures that matter, on stdout.
+void sayUpdate(const UpdatedLiver& updated, CommandRun& run);
+/// All three, the figures into the sidecar.
 void tellUpdate(const UpdatedLiver& updated, CommandRun& run);
 
 }  // namespace falciform::commandline

@@ -8,7 +8,7 @@ namespace falciform::commandline {
 
 /// One sheet, PNG, seen as the scanner saw it: the liver under the scan as the rigid registration leaves it,
 /// as the update moves it (coloured by displacement beside the rigid motion), and the update's expected
-/// error. All in the scan's frame; `updated` has the arrays displacement_mm and expected_error_mm.
+/// error, where it expects one. All in the scan's frame; `updated` as UpdateTiles asks.
 void saveUpdatePicture(const Surface& preop, const Surface& updated, const Surface& scan,
                        const Isometry3d& scanFromPreopRigid, const std::filesystem::path& file,
                        Overwrite overwrite);
