@@ -37,6 +37,10 @@ std::shared_ptr<const Surface> movedTo(const Surface& surface, const Points& poi
   return moved;
 }
 
+std::string onTheWayCaption(double share) {
+  return "On the way, " + QString::number(share, 'f', 2).toStdString();
+}
+
 double largestOf(const Surface& surface, const char* array) {
   const auto found = surface.arrays.find(array);
   return found == surface.arrays.end() || found->second.size() == 0 ? 0 : found->second.maxCoeff();
@@ -118,7 +122,7 @@ void showUpdate(ViewState& view, const UpdateMaps* maps, const UpdateLook& look)
     options.updateColours = mapFor(look.colours, *maps);
     options.deformedCaption = share >= 1   ? "Model update"
                               : share <= 0 ? "Rigid registration"
-                                           : "Between rigid registration (0) and update (1)";
+                                           : onTheWayCaption(share);
     options.structuresBefore = look.before && share > 0;
     options.movedStructures.clear();
     for (const auto& [name, structure] : maps->updatedStructures)

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -47,8 +48,8 @@ UpdatePage::UpdatePage(Workbench& workbench, QWidget* parent)
   addRun();
   addConfidence();
   addLook();
-  addTargets();
   addExport();
+  addTargets();
   timer_->setInterval(kLiveEveryMs);
   connect(timer_, &QTimer::timeout, this, &UpdatePage::showLive);
   connect(&bench().runner, &JobRunner::failed, this, &UpdatePage::endRun);
@@ -87,8 +88,9 @@ void UpdatePage::addRun() {
   fitForm_->setObjectName("updateSettings");
   group->addWidget(fitForm_);
   auto* row = new QHBoxLayout;
-  update_ = button("updateModel", tr("Update the model"),
-                   tr("Bends the liver to fit the scan, from the registration's pose; about a second"), this);
+  update_ = button(
+      "updateModel", tr("Update the model"),
+      tr("Bends the liver to fit the scan, from the registration's pose; about a second (Ctrl+U)"), this);
   stop_ = button("stopUpdate", tr("Stop"), tr("Stop now and keep what the last iteration has come to"), this);
   row->addWidget(update_, 1);
   row->addWidget(stop_);
@@ -107,6 +109,7 @@ void UpdatePage::addRun() {
   figures_ = wrappedLabel("updateFigures", this);
   group->addWidget(liveWords_);
   group->addWidget(figures_);
+  update_->setShortcut(QKeySequence("Ctrl+U"));
   connect(update_, &QPushButton::clicked, this, &UpdatePage::runUpdate);
   connect(stop_, &QPushButton::clicked, this, [this] {
     if (watch_) watch_->stop();
@@ -125,39 +128,38 @@ void UpdatePage::addConfidence() {
 
 void UpdatePage::addLook() {
   auto* group = addGroup(tr("Rigid and updated"));
-  looks_ = new QWidget(this);
-  auto* column = new QVBoxLayout(looks_);
-  column->setContentsMargins(0, 0, 0, 0);
   share_ = new SliderBox("updateShare", {0, 1, 0.05, 0, 1}, {}, this);
   share_->setTip(
       tr("0: the liver as the rigid registration leaves it; 1: as the update moves it.\nUnit: share of the "
          "way\nRange: 0 to 1\nDefault: 1"));
-  rigid_ = button("showRigid", tr("Rigid"), tr("The liver where the rigid registration puts it"), this);
-  updated_ = button("showUpdated", tr("Updated"), tr("The liver as the update moves it"), this);
+  rigid_ = button("showRigid", tr("Rigid"),
+                  tr("The liver where the rigid registration puts it (Ctrl+T: to and fro)"), this);
+  updated_ =
+      button("showUpdated", tr("Updated"), tr("The liver as the update moves it (Ctrl+T: to and fro)"), this);
   auto* row = new QHBoxLayout;
   row->addWidget(rigid_);
   row->addWidget(share_, 1);
   row->addWidget(updated_);
-  column->addLayout(row);
+  group->addLayout(row);
   colours_ = new QComboBox(this);
   colours_->setObjectName("updateColours");
   colours_->setToolTip(tr("What the liver's colours stand for, all in mm"));
   colours_->addItems({tr("none"), tr("motion against rigid"), tr("residual (fit)"), tr("expected error")});
   auto* form = new QFormLayout;
   form->addRow(tr("Colours"), colours_);
-  column->addLayout(form);
+  group->addLayout(form);
   meaning_ = wrappedLabel("coloursMeaning", this);
-  column->addWidget(meaning_);
+  group->addWidget(meaning_);
   compare_ = box("compareViews", tr("Two views side by side"),
                  tr("Left as registered, right as updated, both seen from the same place"), this);
   before_ = box("structuresBefore", tr("Tumours and vessels also where they were"),
                 tr("Orange, see-through: where the rigid registration puts them"), this);
-  inside_ = box("seeInside", tr("See inside"), tr("Makes the liver see-through: opacity 35 %"), this);
+  inside_ = box("seeInside", tr("See inside"), tr("Makes liver and scan see-through: opacity 35 %"), this);
   slices_ =
       box("ctSlices", tr("Slices of the CT"),
           tr("Three cuts through the CT, or the label map, with the outlines before and after; mm"), this);
-  for (QCheckBox* one : {compare_, inside_, before_, slices_}) column->addWidget(one);
-  group->addWidget(looks_);
+  for (QCheckBox* one : {compare_, inside_, before_, slices_}) group->addWidget(one);
+  looks_ = {rigid_, updated_, share_, colours_, compare_, inside_, before_, slices_};
   connect(share_, &SliderBox::moved, this,
           [this](double share) { look([&](UpdateLook& now) { now.share = share; }); });
   connect(rigid_, &QPushButton::clicked, this, [this] { look([](UpdateLook& now) { now.share = 0; }); });
@@ -172,6 +174,10 @@ void UpdatePage::addLook() {
   connect(slices_, &QCheckBox::toggled, this,
           [this](bool on) { look([&](UpdateLook& now) { now.slices = on; }); });
   connect(inside_, &QCheckBox::toggled, this, &UpdatePage::seeInside);
+  auto* toAndFro = new QShortcut(QKeySequence("Ctrl+T"), this);
+  connect(toAndFro, &QShortcut::activated, this, [this] {
+    if (rigid_->isEnabled()) look([](UpdateLook& now) { now.share = now.share > 0.5 ? 0 : 1; });
+  });
 }
 
 void UpdatePage::addTargets() {
@@ -237,14 +243,16 @@ void UpdatePage::showInViews() {
   if (entered_) showUpdate(bench().view, maps_.get(), look_);
 }
 
-// The tree's opacity of the liver, kept and given back.
+// The tree's opacities of liver and scan, kept and given back.
 void UpdatePage::seeInside(bool on) {
   if (on == seeThrough_) return;
-  PartLook liver = bench().view.look(part::kPreop);
-  if (on) opacityBefore_ = liver.opacity;
-  liver.opacity = on ? 0.35 : opacityBefore_;
   seeThrough_ = on;
-  bench().view.setLook(part::kPreop, liver);
+  for (const char* outer : {part::kPreop, part::kScan}) {
+    PartLook shell = bench().view.look(outer);
+    if (on) opacityBefore_[outer] = shell.opacity;
+    shell.opacity = on ? 0.35 : opacityBefore_[outer];
+    bench().view.setLook(outer, shell);
+  }
 }
 
 void UpdatePage::refresh() {
@@ -270,7 +278,7 @@ void UpdatePage::refresh() {
   stale_->setVisible(!stale.empty());
   showWarnings(warnings_, made ? updateWarnings(*made) : std::vector<std::string>{});
 
-  looks_->setEnabled(made && !running_);
+  for (QWidget* one : looks_) one->setEnabled(made && !running_);
   share_->setValue(look_.share);
   meaning_->setText(meaningOf(look_.colours));
   {

@@ -61,14 +61,14 @@ class UpdatePage : public ModulePanel {
   std::unique_ptr<UpdateWatch> watch_;  ///< while an update runs
   std::size_t liveShown_ = 0;
   bool entered_ = false, running_ = false, preparing_ = false, seeThrough_ = false;
-  double opacityBefore_ = 1;
+  std::map<std::string, double> opacityBefore_;
   QTimer* timer_;
   SettingsForm *meshForm_, *fitForm_;
   QPushButton *prepare_, *cancel_, *update_, *stop_, *rigid_, *updated_;
   QPushButton *targets_, *truth_, *saveSurface_, *saveTargets_, *savePicture_;
   QLabel *modelMissing_, *modelFacts_, *missing_, *liveWords_, *figures_, *meaning_, *confidence_, *stale_,
       *warnings_;
-  QWidget* looks_;
+  std::vector<QWidget*> looks_;  ///< that need a result
   PlotWidget* curves_;
   SliderBox* share_;
   QComboBox* colours_;

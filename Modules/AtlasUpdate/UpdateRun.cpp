@@ -85,7 +85,7 @@ void UpdatePage::showLive() {
 }
 
 void UpdatePage::showCurves(const std::vector<UpdateRecord>& records) {
-  PlotWidget::Curve rms{tr("RMS residual (fit)"), QColor("#0072b2"), {}, {}};
+  PlotWidget::Curve rms{tr("residual (fit)"), QColor("#0072b2"), {}, {}};
   PlotWidget::Curve bend{tr("bending"), QColor("#e69f00"), {}, {}};
   PlotWidget::Curve expected{tr("expected error"), QColor("#009e73"), {}, {}};
   for (const UpdateRecord& record : records) {

@@ -1,4 +1,5 @@
 #include "Modules/AtlasUpdate/UpdateWatch.h"
+#include "Logic/Atlas/ExpectedError.h"
 
 #include <algorithm>
 #include <limits>

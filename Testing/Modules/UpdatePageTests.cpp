@@ -122,7 +122,7 @@ TEST_F(UpdatePageTest, RigidAndUpdatedStandInTheSameFrameAndTheSliderGoesBetween
   child<QDoubleSpinBox>(panel, "updateShare").setValue(0.5);
   const Points half = (coarseLiver().surface.points + panel.maps()->updated->points) / 2;
   EXPECT_LT((options().liveDeformed->points - half).cwiseAbs().maxCoeff(), 1e-9);  // mm; rounding only
-  EXPECT_THAT(options().deformedCaption, HasSubstr("Between"));
+  EXPECT_THAT(options().deformedCaption, HasSubstr("On the way, 0.50"));
   click(panel, "showUpdated");
   EXPECT_EQ(options().liveDeformed, panel.maps()->updated);
 }

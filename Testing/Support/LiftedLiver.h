@@ -26,7 +26,7 @@ inline Vector3d lifted(const Vector3d& preop, double liftMm) {
   return preop - Vector3d(0, liftMm * share * share, 0);
 }
 
-/// Points of its front half, as lifted, in the scanner's frame.
+/// Points of its front half, painted and lifted, in the scanner's frame.
 inline Surface scanOfLifted(double liftMm, const Isometry3d& scanFromPreop) {
   const Surface& whole = coarseLiver().surface;
   const double front = whole.points.col(1).mean();
@@ -37,6 +37,8 @@ inline Surface scanOfLifted(double liftMm, const Isometry3d& scanFromPreop) {
   scan.points = whole.points(seen, Eigen::all);
   for (Index i = 0; i < scan.size(); ++i)
     scan.points.row(i) = lifted(scan.points.row(i).transpose(), liftMm).transpose();
+  scan.patchNames = whole.patchNames;
+  for (const int id : seen) scan.patch.push_back(whole.patch[static_cast<std::size_t>(id)]);
   scan.points = transformed(scan.points, scanFromPreop);
   scan.frame = "scanner";
   return scan;

@@ -72,7 +72,7 @@ ColourBarPresenter::ColourBarPresenter(vtkRenderer* renderer, int textPx, const 
 
 ColourBarPresenter::~ColourBarPresenter() { clear(); }
 
-void ColourBarPresenter::show(const ScalarMap& map) {
+void ColourBarPresenter::show(const ScalarMap& map, bool swatches) {
   clear();
   keep(bar(map));
   for (const double value : tickValues(map.low, map.high)) {
@@ -86,6 +86,7 @@ void ColourBarPresenter::show(const ScalarMap& map) {
       textAt({1, kTop, -0.7 * textPx_, 0.9 * textPx_}, map.title + unit, textPx_, textColour_, AlignX::Right);
   title->GetTextProperty()->SetBold(true);
   keep(title);
+  if (!swatches) return;
 
   const auto swatch = [&](const Vector3d& colour, const char* text, double linesDown) {
     const double down = -linesDown * 1.6 * textPx_;

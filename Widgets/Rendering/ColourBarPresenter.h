@@ -18,7 +18,8 @@ class ColourBarPresenter {
   ColourBarPresenter(const ColourBarPresenter&) = delete;
   ColourBarPresenter& operator=(const ColourBarPresenter&) = delete;
 
-  void show(const ScalarMap& map);
+  /// `swatches`: with the colours of no value and of values off the scale.
+  void show(const ScalarMap& map, bool swatches = true);
   void clear();
 
  private:

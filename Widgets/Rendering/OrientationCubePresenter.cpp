@@ -11,6 +11,8 @@ namespace falciform {
 
 namespace {
 
+constexpr double kLeft = 0.86, kHeight = 0.18;  // shares of the view
+
 vtkSmartPointer<vtkAnnotatedCubeActor> patientCube() {
   auto cube = vtkSmartPointer<vtkAnnotatedCubeActor>::New();
   // LPS: x grows to the patient's left, y to posterior, z to superior.
@@ -48,7 +50,7 @@ OrientationCubePresenter::OrientationCubePresenter(vtkRenderer* view)
     : view_(view), cube_(vtkSmartPointer<vtkRenderer>::New()), actor_(patientCube()) {
   cube_->SetLayer(1);
   cube_->InteractiveOff();
-  cube_->SetViewport(0.86, 0.0, 1.0, 0.18);
+  setBottom(0);
   cube_->AddViewProp(actor_);
   vtkNew<vtkCallbackCommand> command;
   command->SetClientData(this);
@@ -61,6 +63,10 @@ OrientationCubePresenter::OrientationCubePresenter(vtkRenderer* view)
 OrientationCubePresenter::~OrientationCubePresenter() { view_->RemoveObserver(observer_); }
 
 void OrientationCubePresenter::setSceneFromLps(const Matrix3d& rotation) { sceneFromLps_ = rotation; }
+
+void OrientationCubePresenter::setBottom(double share) {
+  cube_->SetViewport(kLeft, share, 1.0, share + kHeight);
+}
 
 void OrientationCubePresenter::setVisible(bool visible) { actor_->SetVisibility(visible); }
 

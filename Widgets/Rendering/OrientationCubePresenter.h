@@ -19,6 +19,8 @@ class OrientationCubePresenter {
   /// Scenes in patient coordinates need nothing; a scene in a scanner's frame gives the rotation from LPS to
   /// it.
   void setSceneFromLps(const Matrix3d& rotation);
+  /// How far above the view's lower edge it stands, as a share of its height.
+  void setBottom(double share);
   /// Hidden where the patient's directions are not known.
   void setVisible(bool visible);
 

@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kLandmarkPx = 12;
 constexpr double kGhostOpacity = 0.45;
+constexpr double kCubeAboveNotice = 0.09;  // share of the height
+constexpr double kNarrowBar = 5;           // lines of text that a bar without words takes of the width
 
 SurfaceStyle styleOf(const PartLook& look) {
   SurfaceStyle style;
@@ -70,7 +72,8 @@ CaseScene::CaseScene(const Case& document, const ViewState& view, int textPx)
       scanLandmarks_(scene_.add<SurfacePresenter>()),
       bar_(scene_.add<ColourBarPresenter>(textPx, scene_.style().text)),
       legend_(scene_.add<LegendPresenter>(textPx, scene_.style().text)),
-      title_(scene_.add<TextPresenter>(TextPlace::TopCentre, textPx, scene_.style().text)) {}
+      title_(scene_.add<TextPresenter>(TextPlace::TopCentre, textPx, scene_.style().text)),
+      corner_(scene_.add<TextPresenter>(TextPlace::TopLeft, textPx, scene_.style().text)) {}
 
 CaseScene::Wanted CaseScene::wanted() const {
   const ViewOptions& options = view_.options();
@@ -232,12 +235,18 @@ void CaseScene::followLandmarks() {
 }
 
 void CaseScene::followTexts(const Wanted& now) {
+  narrow_ = now.update && view_.options().comparedLiver;
+  scene_.orientation().setBottom(narrow_ ? kCubeAboveNotice : 0);
+  corner_.setText(narrow_ ? view_.options().deformedCaption : "");
   std::vector<LegendEntry> entries;
   if (now.distance) {
     bar_.show(now.preopMap ? *now.preopMap : *now.scanMap);
     title_.setText("Positive: the intra-operative surface lies outside the pre-operative one");
   } else if (now.bar()) {
-    bar_.show(*now.preopMap);
+    if (view_.options().colourBarShown)
+      bar_.show(*now.preopMap, !narrow_);
+    else
+      bar_.clear();
     title_.setText(view_.options().deformedCaption);
   } else {
     bar_.clear();
@@ -265,6 +274,7 @@ void CaseScene::followTexts(const Wanted& now) {
                  (held ? supportCaption(case_.supports()->regions.at(label)) : patchName(*surface, label))});
     }
   }
+  if (narrow_) title_.setText("");
   legend_.show(entries);
   legendLines_ = static_cast<int>(entries.size());
 }
@@ -340,7 +350,7 @@ void CaseScene::fit(double widthPx, double heightPx) {
   ViewMargins margins;
   // Title, legend and colour bar with their words stand beside the liver rather than on it.
   margins.top = std::min(0.3, (legendLines_ > 0 ? 3.2 + 1.5 * legendLines_ : 2.6) * textPx_ / heightPx);
-  if (fittedBar_) margins.right = std::min(0.4, 11.5 * textPx_ / widthPx);
+  if (fittedBar_) margins.right = std::min(0.4, (narrow_ ? kNarrowBar : 11.5) * textPx_ / widthPx);
   fitView(scene_.renderer(), points, direction, widthPx / heightPx, margins);
 }
 

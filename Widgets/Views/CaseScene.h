@@ -68,7 +68,7 @@ class CaseScene {
   SurfacePresenter &preop_, &scan_, &preopLandmarks_, &scanLandmarks_;
   ColourBarPresenter& bar_;
   LegendPresenter& legend_;
-  TextPresenter& title_;
+  TextPresenter &title_, &corner_;  ///< the second where two views beside each other leave little room
   std::map<std::string, SurfacePresenter*> structures_, ghosts_;
   struct Supported {
     std::shared_ptr<const Surface> liver;
@@ -77,7 +77,7 @@ class CaseScene {
   };
   mutable Supported supported_;       ///< the last liver drawn with its supports
   std::vector<ShownSurface> fitted_;  ///< what was on screen when follow() last asked for a fit
-  bool fittedBar_ = false, fittedDistance_ = false;
+  bool fittedBar_ = false, fittedDistance_ = false, narrow_ = false;
   Isometry3d followedScan_ = Isometry3d::Identity();  ///< where the last follow() drew the scan
   bool fittedWide_ = false;                           ///< the last fit was made because it lay outside
   int legendLines_ = 0;

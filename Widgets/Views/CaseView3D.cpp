@@ -44,6 +44,7 @@ struct CaseView3D::Parts {
   std::shared_ptr<const Surface> moved;  // what the mover's handles stand around
   SurfacePresenter* painted = nullptr;
   QVTKOpenGLNativeWidget* canvas = nullptr;
+  QWidget* toolBar = nullptr;
   QLabel* probeText = nullptr;
   QTimer* followTimer = nullptr;
   QTimer* probeTimer = nullptr;
@@ -125,12 +126,13 @@ CaseView3D::~CaseView3D() {
 }
 
 void CaseView3D::addToolBar() {
-  auto* bar = new QHBoxLayout;
+  parts_->toolBar = new QWidget(this);
+  auto* bar = new QHBoxLayout(parts_->toolBar);
   bar->setContentsMargins(4, 2, 4, 2);
   bar->setSpacing(2);
   const auto add = [&](const QString& name, const QString& label, const QString& tip,
                        std::function<void()> action) {
-    auto* button = new QToolButton(this);
+    auto* button = new QToolButton(parts_->toolBar);
     button->setObjectName(name);
     button->setText(label);
     button->setToolTip(tip);
@@ -155,10 +157,12 @@ void CaseView3D::addToolBar() {
   add("viewInferior", tr("Inferior"), tr("From the feet (Shift+I)"), standard(StandardView::Inferior));
   add("viewReset", tr("Fit"), tr("Show everything, direction kept (R)"), [this] { fit(); });
   bar->addStretch(1);
-  static_cast<QVBoxLayout*>(layout())->addLayout(bar);
+  layout()->addWidget(parts_->toolBar);
 }
 
 QWidget* CaseView3D::canvas() const { return parts_->canvas; }
+
+QWidget* CaseView3D::toolBar() const { return parts_->toolBar; }
 
 // Several changes in a row, as when a case is opened, are drawn once.
 void CaseView3D::followSoon() { parts_->followTimer->start(0); }

@@ -34,6 +34,8 @@ class CaseView3D : public QWidget {
   /// Where a point of the scene (mm) is drawn, in this widget's canvas, origin top left.
   [[nodiscard]] QPoint canvasPosition(const Vector3d& pointInScene) const;
   [[nodiscard]] QWidget* canvas() const;
+  /// Standard views and fit; may be placed elsewhere.
+  [[nodiscard]] QWidget* toolBar() const;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

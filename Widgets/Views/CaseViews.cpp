@@ -1,11 +1,17 @@
 #include "Widgets/Views/CaseViews.h"
 
 #include <QSplitter>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "Widgets/Views/CaseSlices.h"
 
 namespace falciform {
+namespace {
+
+constexpr int kFitAfterMs = 30;
+
+}  // namespace
 
 CaseViews::CaseViews(Case& document, ViewState& view, PatchPaintingLogic& painting, QWidget* parent)
     : QWidget(parent),
@@ -18,6 +24,8 @@ CaseViews::CaseViews(Case& document, ViewState& view, PatchPaintingLogic& painti
   setObjectName("caseViews");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(main_->toolBar());  // one for both views, which look from the same place
   column->addWidget(rows_);
   rows_->setChildrenCollapsible(false);
   columns_->setChildrenCollapsible(false);
@@ -33,6 +41,7 @@ void CaseViews::follow() {
     comparedView_.edit([&](ViewOptions& other) {
       other = options;
       other.painting = other.moving = other.structuresBefore = false;
+      other.colourBarShown = false;
       other.liveDeformed = options.comparedLiver;
       other.deformedCaption = options.comparedCaption;
       other.movedStructures.clear();
@@ -42,10 +51,12 @@ void CaseViews::follow() {
       compared_ = new CaseView3D(case_, comparedView_, painting_, columns_);
       compared_->setObjectName("comparedView3D");
       columns_->insertWidget(0, compared_);
+      compared_->toolBar()->hide();
       compared_->shareCamera(*main_);
     }
   }
   const bool wasCompared = compared_ && compared_->isVisibleTo(this);
+  const bool wereSlices = slices_ && slices_->isVisibleTo(this);
   if (compared_) compared_->setVisible(compare);
   if (compare && !wasCompared) columns_->setSizes({1000, 1000});
   if (options.slicesShown && !slices_) {
@@ -53,6 +64,9 @@ void CaseViews::follow() {
     rows_->setSizes({1300, 1000});
   }
   if (slices_) slices_->setVisible(options.slicesShown);
+  // Once the views have their new sizes.
+  if (compare != wasCompared || options.slicesShown != wereSlices)
+    QTimer::singleShot(kFitAfterMs, main_, &CaseView3D::fit);
 }
 
 }  // namespace falciform

@@ -63,6 +63,7 @@ struct ViewOptions {
   std::shared_ptr<const Surface>
       comparedLiver;            ///< beside it in a second view: the liver as only registered,
   std::string comparedCaption;  ///< and what that is
+  bool colourBarShown = true;   ///< of two views beside each other one is enough
   bool slicesShown = false;     ///< CT or label map as three cuts, with outlines
 
   bool operator==(const ViewOptions&) const = default;
