@@ -14,12 +14,27 @@ Landmarks seenByScanner(const Landmarks& landmarks, const VirtualScan& scan) {
   return seen;
 }
 
+/// Fat around the liver, parenchyma, and what is in it, as in a portal-venous phase.
+Image evenCt(const LabelMap& labels) {
+  Image ct;
+  ct.size = labels.size;
+  ct.worldFromIndex = labels.worldFromIndex;
+  ct.voxels.reserve(labels.voxels.size());
+  for (const auto label : labels.voxels)
+    ct.voxels.push_back(label == synthetic::kTumour                                           ? 60.F
+                        : label == synthetic::kPortalVein || label == synthetic::kHepaticVein ? 190.F
+                        : label == synthetic::kLiver                                          ? 110.F
+                                                                                              : -90.F);
+  return ct;
+}
+
 }  // namespace
 
 BuiltInCase makeBuiltInCase(const BuiltInCaseSettings& settings, const Progress& progress) {
   BuiltInCase made;
   made.liver = makeSyntheticLiver(settings.liver, progress.part(0.0, 0.5));
   made.labelMap = makeSyntheticLabelMap(settings.liver, progress.part(0.5, 0.8));
+  made.ct = evenCt(made.labelMap);
   progress.report(0.8, "Scanning");
   const SyntheticLiver changed = settings.packing.packingMm > 0
                                      ? packLiver(made.liver, settings.packing)

@@ -35,6 +35,7 @@ struct BuiltInCaseSettings {
 struct BuiltInCase {
   SyntheticLiver liver;  ///< LPS mm, as the CT saw it
   LabelMap labelMap;
+  Image ct;                 ///< on its grid, of even tissues, Hounsfield units
   VirtualScan scan;         ///< of the deformed liver, in the scanner's frame
   Landmarks scanLandmarks;  ///< the anatomical landmarks as touched, scan mm
   Landmarks truthTargets;   ///< liver.targets where they truly are, scan mm

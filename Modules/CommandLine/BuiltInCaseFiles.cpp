@@ -25,6 +25,7 @@ CaseDescription describeBuiltInCase(const BuiltInCase& made, const std::filesyst
   description.folder = folder;
   description.name = "Built-in liver";
   description.labelMap = "labelmap.nii.gz";
+  description.ct = "ct.nii.gz";
   description.labels = {synthetic::kLiver, synthetic::kTumour, synthetic::kPortalVein,
                         synthetic::kHepaticVein};
   description.preopPatches = "preop_painted.vtp";
@@ -43,9 +44,9 @@ CaseDescription describeBuiltInCase(const BuiltInCase& made, const std::filesyst
 
 std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
-  for (const char* name :
-       {"case.json", "labelmap.nii.gz", "preop_painted.vtp", "scan.vtp", "preop_landmarks.mrk.json",
-        "scan_landmarks.mrk.json", "targets.mrk.json", "truth_targets.mrk.json", "truth_scan_from_preop.tfm"})
+  for (const char* name : {"case.json", "ct.nii.gz", "labelmap.nii.gz", "preop_painted.vtp", "scan.vtp",
+                           "preop_landmarks.mrk.json", "scan_landmarks.mrk.json", "targets.mrk.json",
+                           "truth_targets.mrk.json", "truth_scan_from_preop.tfm"})
     files.push_back(folder / name);
   for (const std::string& name : kStructures) files.push_back(folder / structureFile(name));
   return files;
@@ -54,6 +55,7 @@ std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path&
 void writeBuiltInCase(const BuiltInCase& made, const std::filesystem::path& folder, const Outputs& outputs) {
   const auto at = [&](const std::string& name) { return outputs.staged(folder / name); };
   constexpr auto replace = Overwrite::Replace;  // the hidden folder is ours
+  writeImage(at("ct.nii.gz"), made.ct, replace);
   writeLabelMap(at("labelmap.nii.gz"), made.labelMap, replace);
   writeSurface(at("preop_painted.vtp"), made.liver.surface, replace);
   writeSurface(at("scan.vtp"), made.scan.scan, replace);

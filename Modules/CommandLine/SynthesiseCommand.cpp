@@ -15,7 +15,7 @@ void declare(Syntax& syntax) {
   syntax.add({.name = "out",
               .kind = ArgumentKind::Folder,
               .label = "Case folder",
-              .help = "Receives a case that `falciform run` takes: label map, painted surface, scan, "
+              .help = "Receives a case that `falciform run` takes: CT, label map, painted surface, scan, "
                       "landmarks, targets and truth.",
               .required = true,
               .output = true,
@@ -62,7 +62,7 @@ void makeLiver(const ParsedArguments& arguments, CommandRun& run) {
                   {"landmarks", settingsToJson(settings.touch)},
                   {"scanner", settingsToJson(settings.scanner)}};
   const BuiltInCase made = makeBuiltInCase(settings, run.progress.part(0, 0.9));
-  run.frames = {{"labelmap.nii.gz, preop_painted.vtp, structures, targets", "patient LPS, mm"},
+  run.frames = {{"ct.nii.gz, labelmap.nii.gz, preop_painted.vtp, structures, targets", "patient LPS, mm"},
                 {"scan.vtp, scan_landmarks, truth_targets", "scanner, mm"},
                 {"truth_scan_from_preop.tfm", "maps pre-op LPS mm to scan mm"}};
   run.figures = {{"vertices", made.liver.surface.size()},

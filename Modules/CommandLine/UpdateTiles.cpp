@@ -11,7 +11,7 @@
 namespace falciform::commandline {
 namespace {
 
-const ViewMargins kMargins{0.04, 0.2, 0.12, 0.04};
+const ViewMargins kMargins{0.04, 0.2, 0.12, 0.1};
 const Vector3d kBefore(0.62, 0.62, 0.62), kVessel(0.16, 0.34, 0.67), kTumour(0.80, 0.33, 0.05);
 
 /// Points of the scan, thinned: more would hide the liver under them.
