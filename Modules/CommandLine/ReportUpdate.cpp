@@ -91,8 +91,9 @@ std::string updateCards(const CaseUpdate& update) {
 std::string updateSection(const CaseOutcome& outcome, const std::string& pictures) {
   if (!outcome.update) return "";
   const CaseUpdate& update = *outcome.update;
-  return htmlSection("Model update", inWords(update, *outcome.distance) +
-                                         htmlWarnings(update.result.warnings) + pictures +
+  std::vector<std::string> warnings = update.result.warnings;
+  for (const std::string& warning : updateWarnings(*update.updated)) warnings.push_back(warning);
+  return htmlSection("Model update", inWords(update, *outcome.distance) + htmlWarnings(warnings) + pictures +
                                          "<h3>Figures</h3>\n" + figureTable(update) + targetTable(update));
 }
 
