@@ -121,6 +121,8 @@ void checkDesign(const AtlasDesign& design) {
         throw InputError("the design has " + std::to_string(s.stiffnessLevels) + " stiffness levels for " +
                          std::to_string(s.setups) + " setups; give each level one setup or more");
       break;
+    case AtlasKind::SurfaceLoads:
+      break;
   }
 }
 
@@ -138,7 +140,7 @@ const std::vector<std::string>& supportRegionNames() {
 }
 
 const std::vector<std::string>& atlasPresets() {
-  static const std::vector<std::string> names{"thesis-gravity", "thesis-packing"};
+  static const std::vector<std::string> names{"thesis-gravity", "thesis-packing", "surface-loads"};
   return names;
 }
 
@@ -146,6 +148,8 @@ AtlasDesign atlasPreset(const std::string& name) {
   AtlasDesign design;
   if (name == "thesis-gravity") {
     design.kind = AtlasKind::GravityDirections;
+  } else if (name == "surface-loads") {
+    design.kind = AtlasKind::SurfaceLoads;
   } else if (name == "thesis-packing") {
     // The silicone phantom's. Pushes give the same shapes at any stiffness; only forces change.
     design.liver = {.youngsModulusKPa = 270, .poissonsRatio = 0.47, .densityKgPerM3 = 1040};
@@ -161,7 +165,7 @@ AtlasDesign designFromJson(const json& design) {
   if (!design.is_object()) throw InputError("the design is no JSON object {\"kind\": \"packing\", ...}");
   refuseUnknownKeys(design,
                     {"preset", "kind", "liver", "tumour", "supportSets", "energy", "seed",
-                     "gravityDirections", "packing", "sampled"},
+                     "gravityDirections", "packing", "sampled", "surfaceLoads"},
                     "the design");
   AtlasDesign result;
   const json *preset = found(design, "preset"), *kind = found(design, "kind");
@@ -179,6 +183,7 @@ AtlasDesign designFromJson(const json& design) {
   readPart(design, "gravityDirections", result.gravityDirections);
   readPart(design, "packing", result.packing);
   readPart(design, "sampled", result.sampled);
+  readPart(design, "surfaceLoads", result.surfaceLoads);
   if (const json* sets = found(design, "supportSets")) result.supportSets = readSupportSets(*sets);
   const FieldInfo energyInfo{"energy", "Energy", "", 0.5, 1, ""};
   if (const json* energy = found(design, "energy")) {
@@ -213,6 +218,9 @@ json toJson(const AtlasDesign& design) {
       break;
     case AtlasKind::Sampled:
       result["sampled"] = settingsToJson(design.sampled);
+      break;
+    case AtlasKind::SurfaceLoads:
+      result["surfaceLoads"] = settingsToJson(design.surfaceLoads);
       break;
   }
   return result;

@@ -25,6 +25,7 @@ struct AtlasDesign {
   GravityDesignSettings gravityDirections;
   PackingDesignSettings packing;
   SampledDesignSettings sampled;
+  SurfaceLoadSettings surfaceLoads;
   double energy = 0.99999;  ///< share of the mean squared displacement that the kept modes hold
   std::uint64_t seed = 1;   ///< of the sampling
 };
@@ -33,7 +34,7 @@ struct AtlasDesign {
 [[nodiscard]] const std::vector<std::string>& supportRegionNames();
 
 /// "thesis-gravity" and "thesis-packing": the two atlases of chapter V, of 121 and 180 members, with the
-/// materials printed there (a liver's, and the phantom's).
+/// materials printed there (a liver's, and the phantom's); "surface-loads": what the model update fits.
 [[nodiscard]] const std::vector<std::string>& atlasPresets();
 /// Throws InputError that lists the presets.
 [[nodiscard]] AtlasDesign atlasPreset(const std::string& name);

@@ -1,13 +1,13 @@
 #include "Logic/Atlas/AtlasFiles.h"
 
+#include "Logic/Atlas/AtlasHead.h"
+#include "Logic/Atlas/Hdf5Mesh.h"
 #include "Logic/Atlas/Hdf5Store.h"
 #include "Logic/Atlas/SealedFile.h"
 #include "Logic/Core/Errors.h"
 
 namespace falciform {
 namespace {
-
-constexpr char kKind[] = "falciform atlas";
 
 std::uint64_t count(Index n) { return static_cast<std::uint64_t>(n); }
 
@@ -114,14 +114,10 @@ void writeSetups(Hdf5Writer& file, const std::vector<AtlasSetup>& setups) {
   file.integers("supports/faces", faces, {faces.size()});
 }
 
-[[noreturn]] void inconsistent(const std::filesystem::path& file, const std::string& what) {
-  throw InputError("'" + file.string() + "' is inconsistent: " + what + "; build the atlas anew");
-}
-
 SupportKind kindOf(const std::string& text, const std::filesystem::path& path) {
   for (const auto& [kind, name] : kKinds)
     if (text == name) return kind;
-  inconsistent(path, "a support of the kind '" + text + "'");
+  refuseInconsistent(path, "a support of the kind '" + text + "'");
 }
 
 std::vector<AtlasSetup> readSetups(const Hdf5Reader& file, const std::filesystem::path& path) {
@@ -141,7 +137,7 @@ std::vector<AtlasSetup> readSetups(const Hdf5Reader& file, const std::filesystem
   for (std::size_t k = 0; k < setupOf.size(); ++k) {
     if (setupOf[k] < 0 || static_cast<std::size_t>(setupOf[k]) >= setups.size() || begin[k] < 0 ||
         begin[k + 1] < begin[k] || static_cast<std::size_t>(begin[k + 1]) > faces.size())
-      inconsistent(path, "support " + std::to_string(k) + " points beyond the file's setups or faces");
+      refuseInconsistent(path, "support " + std::to_string(k) + " points beyond the file's setups or faces");
     AtlasSetup& setup = setups[static_cast<std::size_t>(setupOf[k])];
     Support support;
     support.name = supportNames[k];
@@ -154,33 +150,6 @@ std::vector<AtlasSetup> readSetups(const Hdf5Reader& file, const std::filesystem
     setup.supports.push_back(std::move(support));
   }
   return setups;
-}
-
-void writeMesh(Hdf5Writer& file, const Atlas& atlas) {
-  const TetrahedralMesh& mesh = atlas.mesh;
-  file.text("mesh/frame", mesh.frame);
-  file.numbers("mesh/points_mm", mesh.points.data(), {count(mesh.nodes()), 3});
-  file.integers("mesh/elements", {mesh.elements.data(), mesh.elements.data() + mesh.elements.size()},
-                {count(mesh.size()), count(mesh.elements.cols())});
-  std::vector<std::int32_t> regions;
-  for (Index e = 0; e < mesh.size(); ++e) regions.push_back(mesh.regionOf(e));
-  file.integers("mesh/regions", regions, {regions.size()});
-  file.numbers("mesh/node_volumes_mm3", atlas.nodeVolumesMm3.data(), {count(atlas.nodeVolumesMm3.size())});
-}
-
-void readMesh(const Hdf5Reader& file, Atlas& atlas) {
-  Lengths points{Hdf5Reader::kAny, 3}, elements{Hdf5Reader::kAny, Hdf5Reader::kAny};
-  const std::vector<double> coordinates = file.numbers("mesh/points_mm", points);
-  const std::vector<std::int32_t> corners = file.integers("mesh/elements", elements);
-  Lengths regions{elements[0]}, volumes{points[0]};
-  TetrahedralMesh& mesh = atlas.mesh;
-  mesh.points = Eigen::Map<const Points>(coordinates.data(), static_cast<Index>(points[0]), 3);
-  mesh.elements = Eigen::Map<const TetrahedralMesh::Elements>(corners.data(), static_cast<Index>(elements[0]),
-                                                              static_cast<Index>(elements[1]));
-  mesh.regions = file.integers("mesh/regions", regions);
-  mesh.frame = file.text("mesh/frame");
-  const std::vector<double> shares = file.numbers("mesh/node_volumes_mm3", volumes);
-  atlas.nodeVolumesMm3 = Eigen::Map<const VectorXd>(shares.data(), static_cast<Index>(shares.size()));
 }
 
 void writeMembers(Hdf5Writer& file, const Atlas& atlas) {
@@ -201,7 +170,7 @@ void readMembers(const Hdf5Reader& file, const std::filesystem::path& path, Atla
   atlas.figures.resize(setups.size());
   for (std::size_t m = 0; m < setups.size(); ++m) {
     if (setups[m] < 0 || static_cast<std::size_t>(setups[m]) >= atlas.setups.size())
-      inconsistent(path, "member " + std::to_string(m) + " has setup " + std::to_string(setups[m]));
+      refuseInconsistent(path, "member " + std::to_string(m) + " has setup " + std::to_string(setups[m]));
     atlas.members[m].setup = setups[m];
   }
   readColumn(file, kPush, atlas.members);
@@ -232,50 +201,46 @@ void readModes(const Hdf5Reader& file, Atlas& atlas) {
   atlas.singularValuesMm = Eigen::Map<const VectorXd>(singular.data(), static_cast<Index>(singular.size()));
 }
 
-nlohmann::json jsonOf(const Hdf5Reader& file, const char* name, const std::filesystem::path& path) {
-  nlohmann::json json = nlohmann::json::parse(file.text(name), nullptr, false);
-  if (json.is_discarded()) inconsistent(path, std::string(name) + " is no JSON");
-  return json;
-}
-
 void checkNumbers(const Atlas& atlas, const std::filesystem::path& path) {
   bool finite = atlas.coefficients.allFinite() && atlas.stiffness.allFinite() &&
                 atlas.singularValuesMm.allFinite() && atlas.nodeVolumesMm3.allFinite();
   for (const Points& mode : atlas.modes) finite = finite && mode.allFinite();
-  if (!finite) inconsistent(path, "it holds numbers that are not finite");
+  if (!finite) refuseInconsistent(path, "it holds numbers that are not finite");
 }
 
 }  // namespace
 
 void writeAtlas(const std::filesystem::path& path, const Atlas& atlas, const nlohmann::json& provenance) {
   Hdf5Writer file(path);
-  file.attribute("falciform_atlas_version", kAtlasFileVersion);
-  file.attribute("program", provenance.value("program", "falciform") + " " + provenance.value("version", ""));
-  file.attribute("created_utc", provenance.value("started_utc", ""));
+  writeAtlasHead(file, atlas.design, provenance);
   file.attribute("energy", atlas.energy);
   file.attribute("independent_solves", atlas.solves);
-  const auto replace = nlohmann::json::error_handler_t::replace;  // names of files may be no UTF-8
-  file.text("design_json", toJson(atlas.design).dump(2));
-  file.text("provenance_json", provenance.dump(2, ' ', false, replace));
-  writeMesh(file, atlas);
+  writeMeshArrays(file, atlas.mesh);
+  file.numbers("mesh/node_volumes_mm3", atlas.nodeVolumesMm3.data(), {count(atlas.nodeVolumesMm3.size())});
   writeModes(file, atlas);
   writeSetups(file, atlas.setups);
   writeMembers(file, atlas);
   file.close();
-  sealFile(path, kKind, kAtlasFileVersion);
+  sealFile(path, kAtlasFileKind, kAtlasFileVersion);
 }
 
 StoredAtlas readAtlas(const std::filesystem::path& path) {
-  checkSeal(path, kKind, kAtlasFileVersion);
+  checkSeal(path, kAtlasFileKind, kAtlasFileVersion);
   const Hdf5Reader file(path);
+  AtlasHead head = readAtlasHead(file, path);
+  if (head.design.kind == AtlasKind::SurfaceLoads)
+    throw InputError("'" + path.string() +
+                     "' is an atlas of surface loads, not of deformations; build one of thesis-packing");
   StoredAtlas stored;
   Atlas& atlas = stored.atlas;
-  stored.provenance = jsonOf(file, "provenance_json", path);
-  atlas.design = designFromJson(jsonOf(file, "design_json", path));
+  stored.provenance = std::move(head.provenance);
+  atlas.design = std::move(head.design);
   atlas.energy = file.numberAttribute("energy");
   atlas.solves = static_cast<int>(file.numberAttribute("independent_solves"));
-  readMesh(file, atlas);
-  checkMesh(atlas.mesh, "the mesh in '" + path.string() + "'");
+  atlas.mesh = readMeshArrays(file, path.string());
+  Lengths volumes{count(atlas.mesh.nodes())};
+  const std::vector<double> shares = file.numbers("mesh/node_volumes_mm3", volumes);
+  atlas.nodeVolumesMm3 = Eigen::Map<const VectorXd>(shares.data(), static_cast<Index>(shares.size()));
   readModes(file, atlas);
   atlas.setups = readSetups(file, path);
   readMembers(file, path, atlas);

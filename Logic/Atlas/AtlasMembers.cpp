@@ -163,6 +163,8 @@ AtlasMembers membersOf(const AtlasDesign& design, const SupportSites& sites) {
       return gravityMembers(design, sites);
     case AtlasKind::Packing:
       return packingMembers(design, sites);
+    case AtlasKind::SurfaceLoads:
+      throw InputError("a design of surface loads has no members; fit it with falciform update");
     case AtlasKind::Sampled:
       break;
   }

@@ -15,6 +15,11 @@ AtlasModel::AtlasModel(const Surface& preop, std::shared_ptr<const Atlas> atlas)
     throw InputError("the atlas has no deformations: every member leaves the liver as it is; build another");
   constexpr double kFineEdgeMm = 2.5;
   fine_ = subdividedTo(preop, kFineEdgeMm);
+  constexpr Index kMostBytes = Index{2} << 30;
+  if (const Index most = kMostBytes / (3 * fine_.size() * static_cast<Index>(sizeof(float)));
+      atlas_->rank() > most)
+    throw InputError("the atlas has " + std::to_string(atlas_->rank()) + " modes; on this surface at most " +
+                     std::to_string(most) + " can be fitted: build it with a lower 'energy'");
   const MeshPlaces places(atlas_->mesh, fine_.points);
   modes_.resize(3 * fine_.size(), atlas_->rank());
   forEachChunk(atlas_->modes.size(), 1, [&](std::size_t first, std::size_t last) {

@@ -6,10 +6,16 @@
 namespace falciform {
 
 /// What an atlas varies.
-enum class AtlasKind { GravityDirections, Packing, Sampled };
+enum class AtlasKind {
+  GravityDirections,
+  Packing,
+  Sampled,
+  SurfaceLoads  ///< no deformations, but answers to loads on the surface (LoadFiles.h)
+};
 
 inline std::span<const std::string_view> enumNames(AtlasKind) {
-  static constexpr std::array<std::string_view, 3> names{"gravityDirections", "packing", "sampled"};
+  static constexpr std::array<std::string_view, 4> names{"gravityDirections", "packing", "sampled",
+                                                         "surfaceLoads"};
   return names;
 }
 
@@ -74,6 +80,21 @@ void describe(PackingDesignSettings& s, Visitor&& field) {
   field(FieldInfo{"stepMm", "Step", "mm", 0.1, 50, "Between pushes; the first push."}, s.stepMm);
   field(FieldInfo{"maxPushMm", "Largest push", "mm", 0.1, 100, "Into the liver, along the surface's normal."},
         s.maxPushMm);
+}
+
+/// Loads spread over the whole surface: what the model update fits.
+struct SurfaceLoadSettings {
+  int centres = 120;
+  double radiusMm = 18;
+};
+
+template <class Visitor>
+void describe(SurfaceLoadSettings& s, Visitor&& field) {
+  field(FieldInfo{"centres", "Places", "", 4, 1000, "Spread evenly over the surface; three loads each."},
+        s.centres);
+  field(FieldInfo{"radiusMm", "Radius", "mm", 1, 100,
+                  "Of a load: it falls off as a Gaussian of this width along each axis."},
+        s.radiusMm);
 }
 
 /// Free ranges, sampled so that each is covered evenly: places by spreading, the rest by a Latin hypercube.

@@ -23,12 +23,6 @@ using Model = std::variant<UpdateModel, AtlasModel, IncrementalModel>;
                    "; build one (falciform atlas build thesis-packing) and give it as --atlas");
 }
 
-const TetrahedralMesh& meshOf(const UpdateBasis& basis) {
-  if (const auto* atlas = std::get_if<std::shared_ptr<const Atlas>>(&basis)) return (*atlas)->mesh;
-  if (const auto* loads = std::get_if<std::shared_ptr<const LoadResponses>>(&basis)) return (*loads)->mesh;
-  return *std::get<std::shared_ptr<const TetrahedralMesh>>(basis);
-}
-
 std::shared_ptr<const Model> modelOf(UpdateMethod method, const Surface& preop, const UpdateBasis& basis,
                                      const Progress& progress) {
   const auto* atlas = std::get_if<std::shared_ptr<const Atlas>>(&basis);
@@ -73,6 +67,12 @@ double meanDistance(const Points& points, const Points& others) {
 }
 
 }  // namespace
+
+const TetrahedralMesh& meshOf(const UpdateBasis& basis) {
+  if (const auto* atlas = std::get_if<std::shared_ptr<const Atlas>>(&basis)) return (*atlas)->mesh;
+  if (const auto* loads = std::get_if<std::shared_ptr<const LoadResponses>>(&basis)) return (*loads)->mesh;
+  return *std::get<std::shared_ptr<const TetrahedralMesh>>(basis);
+}
 
 bool needsDeformations(UpdateMethod method) {
   using enum UpdateMethod;

@@ -60,6 +60,8 @@ class PreparedUpdate {
                                           const UpdateSettings& settings = {}, std::uint64_t seed = 1,
                                           const Progress& progress = {});
 
+[[nodiscard]] const TetrahedralMesh& meshOf(const UpdateBasis& basis);
+
 /// Whether a method fits an atlas of deformations, and nothing else.
 [[nodiscard]] bool needsDeformations(UpdateMethod method);
 

@@ -2,6 +2,7 @@
 
 #include "Logic/Atlas/AtlasFiles.h"
 #include "Logic/Atlas/KeptSolves.h"
+#include "Logic/Atlas/LoadFiles.h"
 #include "Logic/Core/Parallel.h"
 #include "Modules/CommandLine/AtlasFigures.h"
 #include "Modules/CommandLine/BuildShare.h"
@@ -65,6 +66,20 @@ class Build {
       throw InputError("--out is '" + out_.string() + "'; an atlas is written as .h5");
     results_.overwrite = run.outputs.overwrite;
     if (!share_.shared()) announce();
+  }
+
+  /// Surface loads share one factorisation: there is nothing to divide, and nothing to go on from.
+  void executeLoads(const TetrahedralMesh& mesh, const AtlasDesign& design) {
+    if (share_.shared())
+      throw InputError("surface loads are solved by one process; leave --shard and mpirun out");
+    const auto began = std::chrono::steady_clock::now();
+    const LoadAtlas atlas = buildLoadAtlas(mesh, design, run_.progress.part(0.3, 0.95));
+    run_.figures["solve_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    run_.progress.report(0.95, "Writing");
+    run_.figures.update(loadFigures(atlas));
+    write(design, mesh.frame,
+          [&](const fs::path& file) { writeLoadAtlas(file, atlas, toJson(run_.provenance)); });
+    for (const std::string& line : loadLines(atlas)) run_.say(line);
   }
 
   void execute(AtlasJob job) {
@@ -147,16 +162,22 @@ class Build {
     run_.figures.update(atlasFigures(atlas));
     run_.figures["compress_s"] =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-    run_.settings["design"] = toJson(atlas.design);
-    run_.frames[out_.filename().string()] =
-        atlas.mesh.frame == "LPS" ? "patient LPS, mm" : atlas.mesh.frame + ", mm";
     run_.warn(atlasWarnings(atlas));
-    writeAtlas(results_.staged(out_), atlas, toJson(run_.provenance));
+    write(atlas.design, atlas.mesh.frame,
+          [&](const fs::path& file) { writeAtlas(file, atlas, toJson(run_.provenance)); });
+    kept.remove();
+    for (const std::string& line : atlasLines(atlas)) run_.say(line);
+  }
+
+  /// The atlas by `writer`, and its sidecar.
+  template <class Writer>
+  void write(const AtlasDesign& design, const std::string& frame, const Writer& writer) {
+    run_.settings["design"] = toJson(design);
+    run_.frames[out_.filename().string()] = frame == "LPS" ? "patient LPS, mm" : frame + ", mm";
+    writer(results_.staged(out_));
     writeTextFile(results_.staged(sidecarOf(out_)), Overwrite::Replace, run_.sidecar().dump(2) + "\n");
     results_.commit();
-    kept.remove();
     run_.say(out_.string() + ":");
-    for (const std::string& line : atlasLines(atlas)) run_.say(line);
   }
 
   CommandRun& run_;
@@ -174,6 +195,10 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   const auto began = std::chrono::steady_clock::now();
   const LiverInput liver = readLiverInput(arguments, run, run.progress.part(0, 0.28));
   run.figures["mesh_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  if (design.kind == AtlasKind::SurfaceLoads) {
+    build.executeLoads(liver.mesh, design);
+    return;
+  }
   const BoundaryFaces faces = boundaryFaces(liver.mesh);
   const SupportSites sites = findSupportSites(liver.surface, liver.mesh, faces);
   run.warn(sites.warnings);

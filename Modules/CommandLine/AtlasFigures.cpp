@@ -47,6 +47,11 @@ std::string tissueText(const TissueSettings& tissue) {
          ", " + numberText(tissue.densityKgPerM3) + " kg/m3";
 }
 
+std::string meshText(const TetrahedralMesh& mesh) {
+  return std::string(mesh.quadratic() ? "quadratic" : "linear") + " mesh of " + std::to_string(mesh.size()) +
+         " elements and " + std::to_string(3 * mesh.nodes()) + " degrees of freedom in frame " + mesh.frame;
+}
+
 std::string vectorText(const Vector3d& v, int decimals) {
   return fixed(v[0], decimals) + " " + fixed(v[1], decimals) + " " + fixed(v[2], decimals);
 }
@@ -85,10 +90,7 @@ std::vector<std::string> atlasLines(const Atlas& atlas) {
   lines.push_back("displacements up to " + fixed(extremes.maxMm, 1) + " mm, " + fixed(extremes.rmsMm, 1) +
                   " mm RMS; smallest local volume ratio (det J) " + fixed(extremes.minDetJ, 3) +
                   " in member " + std::to_string(extremes.worst));
-  lines.push_back(std::string(atlas.mesh.quadratic() ? "quadratic" : "linear") + " mesh of " +
-                  std::to_string(atlas.mesh.size()) + " elements and " +
-                  std::to_string(3 * atlas.mesh.nodes()) + " degrees of freedom in frame " +
-                  atlas.mesh.frame);
+  lines.push_back(meshText(atlas.mesh));
   lines.push_back("liver: " + tissueText(atlas.design.liver));
   if (const int tumours = tumoursOf(atlas); tumours > 0)
     lines.push_back(counted(static_cast<std::size_t>(tumours), "tumour: ", "tumours: ") +
@@ -97,6 +99,23 @@ std::vector<std::string> atlasLines(const Atlas& atlas) {
                          ? "; its stiffness by the setups' ratio to the liver's"
                          : ""));
   return lines;
+}
+
+nlohmann::json loadFigures(const LoadAtlas& atlas) {
+  const TetrahedralMesh& mesh = atlas.loads.mesh;
+  return {{"kind", enumToString(atlas.design.kind)},
+          {"loads", atlas.loads.loads()},
+          {"independent_solves", atlas.loads.loads()},
+          {"nodes", mesh.nodes()},
+          {"elements", mesh.size()},
+          {"degrees_of_freedom", 3 * mesh.nodes()}};
+}
+
+std::vector<std::string> loadLines(const LoadAtlas& atlas) {
+  return {"kind " + enumToString(atlas.design.kind) + ": " + std::to_string(atlas.loads.loads()) +
+              " loads at " + std::to_string(atlas.loads.centres.rows()) + " places of radius " +
+              numberText(atlas.design.surfaceLoads.radiusMm) + " mm; falciform update fits them",
+          meshText(atlas.loads.mesh), "liver: " + tissueText(atlas.design.liver)};
 }
 
 std::vector<std::string> atlasWarnings(const Atlas& atlas) {

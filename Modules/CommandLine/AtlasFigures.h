@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "Logic/Atlas/Atlas.h"
+#include "Logic/Atlas/LoadFiles.h"
 #include "Modules/CommandLine/Arguments.h"
 
 namespace falciform::commandline {
@@ -12,6 +13,9 @@ namespace falciform::commandline {
 [[nodiscard]] nlohmann::json atlasFigures(const Atlas& atlas);
 /// The same in words.
 [[nodiscard]] std::vector<std::string> atlasLines(const Atlas& atlas);
+/// The same of surface loads.
+[[nodiscard]] nlohmann::json loadFigures(const LoadAtlas& atlas);
+[[nodiscard]] std::vector<std::string> loadLines(const LoadAtlas& atlas);
 /// What a user should know before relying on it.
 [[nodiscard]] std::vector<std::string> atlasWarnings(const Atlas& atlas);
 /// One line a setup: what holds it and what is pushed where.

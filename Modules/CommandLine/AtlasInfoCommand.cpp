@@ -1,4 +1,4 @@
-#include "Logic/Atlas/AtlasFiles.h"
+#include "Logic/Atlas/LoadFiles.h"
 #include "Modules/CommandLine/AtlasFigures.h"
 #include "Modules/CommandLine/AtlasPicture.h"
 #include "Modules/CommandLine/Commands.h"
@@ -37,19 +37,39 @@ void declare(Syntax& syntax) {
   for (const ResultField& field : atlasResultFields()) syntax.addResult(field);
 }
 
+void tellBuilt(const nlohmann::json& provenance, CommandRun& run) {
+  run.figures["built_utc"] = provenance.value("started_utc", "");
+  run.say("built " + provenance.value("started_utc", "") + " by falciform " +
+          provenance.value("version", ""));
+}
+
+void tellLoads(const std::filesystem::path& file, const ParsedArguments& arguments, CommandRun& run) {
+  for (const char* asked : {"picture", "members"})
+    if (arguments.has(asked))
+      throw InputError("--" + std::string(asked) +
+                       " is given for an atlas of surface loads, which has no members; leave it out");
+  const StoredLoads stored = readLoadAtlas(file);
+  run.remember(file);
+  run.figures = loadFigures(stored.atlas);
+  for (const std::string& line : loadLines(stored.atlas)) run.say(line);
+  tellBuilt(stored.provenance, run);
+}
+
 void execute(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path file = arguments.path("FILE"), picture = picturePath(arguments);
   if (arguments.has("show") && picture.empty())
     throw InputError("--show is given without --picture; name the picture to draw, .png");
   if (!picture.empty()) run.outputs.announce(picture);
   run.progress.report(0, "Reading");
+  if (atlasKindOf(file) == AtlasKind::SurfaceLoads) {
+    tellLoads(file, arguments, run);
+    return;
+  }
   const StoredAtlas stored = readAtlas(file);
   run.remember(file);
   run.figures = atlasFigures(stored.atlas);
-  run.figures["built_utc"] = stored.provenance.value("started_utc", "");
   for (const std::string& line : atlasLines(stored.atlas)) run.say(line);
-  run.say("built " + stored.provenance.value("started_utc", "") + " by falciform " +
-          stored.provenance.value("version", ""));
+  tellBuilt(stored.provenance, run);
   run.warn(atlasWarnings(stored.atlas));
   if (!picture.empty()) {
     std::vector<Index> shown = telling(stored.atlas);

@@ -1,7 +1,7 @@
 #include "Logic/Patches/PatchStatistics.h"
 #include "Logic/Registration/SurfaceRegistration.h"
 #include "Modules/CommandLine/Commands.h"
-#include "Modules/CommandLine/LiverInput.h"
+#include "Modules/CommandLine/UpdateBasisInput.h"
 #include "Modules/CommandLine/UpdateImages.h"
 #include "Modules/CommandLine/UpdateInput.h"
 #include "Modules/CommandLine/UpdateOutputs.h"
@@ -16,6 +16,7 @@ void declare(Syntax& syntax) {
   using enum ArgumentKind;
   const std::string group = "Files";
   declareLiverInput(syntax, group);
+  declareUpdateBasis(syntax, group);
   declareUpdateInput(syntax, group);
   declareUpdateImages(syntax, group);
   syntax.add({.name = "out",
@@ -60,18 +61,18 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   announceImages(images, folder, run);
   const UpdateInput input = readUpdateInput(arguments, run);
   announceStructures(input, folder, run);
-  const LiverInput liver = readLiverInput(arguments, run, run.progress.part(0, 0.2), kMeshing);
+  const UpdateBasisInput known = readUpdateBasis(arguments, run, kMeshing, run.progress.part(0, 0.2));
+  const LiverInput& liver = known.liver;
   run.warn(patchWarnings(liver.surface, input.scan));
 
-  const UpdateModel model(liver.surface,
-                          solveSurfaceLoads(liver.mesh, {Material{}}, {}, run.progress.part(0.2, 0.7)));
+  const PreparedUpdate prepared(known.method, liver.surface, known.basis, run.progress.part(0.2, 0.7));
   const RegistrationResult rigid =
       rigidStart(arguments, liver.surface, input.scan, run, run.progress.part(0.7, 0.8));
-  const UpdateResult update = updateModel(model, input.scan, rigid.scanFromPreop, input.settings,
-                                          run.provenance.seed, run.progress.part(0.8, 0.95));
+  const UpdateResult update = updateByMethod(prepared, input.scan, rigid.scanFromPreop, input.settings,
+                                             run.provenance.seed, run.progress.part(0.8, 0.95));
   run.warn(update.warnings);
 
-  const UpdatedLiver updated = updatedLiver(liver, input, rigid, update, &model);
+  const UpdatedLiver updated = updatedLiver(liver, input, rigid, update, prepared.model());
   tellUpdate(updated, run);
   writeUpdate(updated, arguments, run);
   writeImages(images, UpdateMap(liver.mesh, update.displacements, update.scanFromPreop), liver.mesh,

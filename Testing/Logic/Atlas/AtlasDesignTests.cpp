@@ -138,8 +138,10 @@ TEST(AtlasDesign, ReadsBackWhatItWrites) {
 TEST(AtlasDesign, FaultsAreNamedInOneLine) {
   EXPECT_THAT(refusalOf("[]"), HasSubstr("no JSON object"));
   EXPECT_THAT(refusalOf("{}"), HasSubstr("neither 'kind' nor 'preset'"));
-  EXPECT_THAT(refusalOf(R"({"kind": "gravity"})"), HasSubstr("gravityDirections, packing or sampled"));
-  EXPECT_THAT(refusalOf(R"({"preset": "thesis"})"), HasSubstr("thesis-gravity or thesis-packing"));
+  EXPECT_THAT(refusalOf(R"({"kind": "gravity"})"),
+              HasSubstr("gravityDirections, packing, sampled or surfaceLoads"));
+  EXPECT_THAT(refusalOf(R"({"preset": "thesis"})"),
+              HasSubstr("thesis-gravity, thesis-packing or surface-loads"));
   EXPECT_THAT(refusalOf(R"({"kind": "packing", "placs": 3})"), HasSubstr("no key 'placs'"));
   EXPECT_THAT(refusalOf(R"({"kind": "packing", "packing": {"placs": 3}})"),
               testing::AllOf(HasSubstr("'packing'"), HasSubstr("no key 'placs'")));

@@ -128,6 +128,9 @@ TEST(UpdateBasis, AnAtlasThatDoesNotSuitIsRefusedInWords) {
   elsewhere = beanSurface();
   elsewhere.frame = "tracker";
   EXPECT_THAT(refusalOf(UpdateMethod::Icat, elsewhere, atlasBasis()), HasSubstr("frame"));
+  Atlas endless = beanAtlas();
+  endless.modes.resize(200000);
+  EXPECT_THAT(refusalOf(UpdateMethod::Pca, beanSurface(), atlasBasis(endless)), HasSubstr("200000 modes"));
   Atlas empty = beanAtlas();
   empty.modes.clear();
   EXPECT_THAT(refusalOf(UpdateMethod::Pca, beanSurface(), atlasBasis(empty)), HasSubstr("no deformations"));
