@@ -5,6 +5,9 @@
 #include "Logic/Acquisition/Phantom.h"
 #include "Logic/Acquisition/PhantomBeads.h"
 #include "Logic/Atlas/AtlasBuilding.h"
+#include "Logic/Biomechanics/ConstrainedStiffness.h"
+#include "Logic/Biomechanics/CorotationalWarp.h"
+#include "Logic/Biomechanics/DeformationCheck.h"
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Biomechanics/MeshPlaces.h"
 #include "Logic/Biomechanics/SupportTemplates.h"
@@ -29,20 +32,37 @@ Points placesOf(const Landmarks& landmarks) {
   return places;
 }
 
-/// The phantom's silicone on its screw, pushed as a template says.
-TruthState solvedState(const TetrahedralMesh& mesh, const std::vector<Support>& supports) {
+Material silicone() {
+  const TissueSettings tissue = atlasPreset("thesis-packing").liver;
+  return {.youngsModulusMPa = tissue.youngsModulusKPa * 1e-3, .poissonsRatio = tissue.poissonsRatio};
+}
+
+/// The phantom's silicone on its screw, pushed as a template says: neo-Hookean, large displacement.
+TruthState byCalculix(const TetrahedralMesh& mesh, const std::vector<Support>& supports) {
   const auto calculix = verification::findCalculix();
-  if (!calculix) throw std::runtime_error("the phantom's packing needs CalculiX (ccx); install calculix-ccx");
-  const TissueSettings silicone = atlasPreset("thesis-packing").liver;
+  if (!calculix)
+    throw std::runtime_error(
+        "the phantom's packing needs CalculiX (ccx); install calculix-ccx, or take --truth warp");
   TruthBody body;
   body.problem.name = "phantom";
-  body.problem.body = verification::heldBody(
-      mesh, {.youngsModulusMPa = silicone.youngsModulusKPa * 1e-3, .poissonsRatio = silicone.poissonsRatio},
-      supports);
+  body.problem.body = verification::heldBody(mesh, silicone(), supports);
   body.problem.body.forces = Points::Zero(mesh.nodes(), 3);
   body.problem.neoHookean = true;
   const test::TemporaryFolder folder;
   return solveTruth(body, *calculix, folder.path());
+}
+
+/// The same by linear elasticity with turns made true ones afterwards.
+TruthState byWarp(const TetrahedralMesh& mesh, const std::vector<Support>& supports) {
+  const verification::HeldBody body = verification::heldBody(mesh, silicone(), supports);
+  std::vector<int> anchors;
+  for (const NodeConstraint& constraint : body.constraints)
+    if (constraint.count == 3) anchors.push_back(constraint.node);
+  const ConstrainedStiffness solver(assembleStiffness(mesh, body.materials), body.constraints);
+  TruthState state;
+  state.displacements = CorotationalWarp(mesh, anchors).apply(solver.solve(Points::Zero(mesh.nodes(), 3)));
+  state.minDetJ = checkDeformation(mesh, state.displacements).minDetJ;
+  return state;
 }
 
 PackedPhantom seen(const PackedPhantoms& made, const TetrahedralMesh& mesh, const TruthState& state,
@@ -84,11 +104,12 @@ PackedPhantoms packedPhantoms(const PackedPhantomPlan& plan) {
   meshing.edgeLengthMm = plan.truthEdgeMm;
   const TetrahedralMesh mesh = meshLiver(made.preop, {}, meshing).mesh;
   const SupportSites sites = findSupportSites(made.preop, mesh, boundaryFaces(mesh));
+  const auto solved = plan.calculix ? byCalculix : byWarp;
   made.packings.push_back(
-      seen(made, mesh, solvedState(mesh, leftLobePacked(sites, plan.leftPushMm, plan.extentMm)), 1));
+      seen(made, mesh, solved(mesh, leftLobePacked(sites, plan.leftPushMm, plan.extentMm)), 1));
   made.packings.back().packing = "left";
   made.packings.push_back(
-      seen(made, mesh, solvedState(mesh, rightLobePacked(sites, plan.rightPushMm, plan.extentMm)), 2));
+      seen(made, mesh, solved(mesh, rightLobePacked(sites, plan.rightPushMm, plan.extentMm)), 2));
   made.packings.back().packing = "right";
   return made;
 }

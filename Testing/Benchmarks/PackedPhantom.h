@@ -32,6 +32,7 @@ struct PackedPhantomPlan {
   double atlasEdgeMm = 10;
   double truthEdgeMm = 12;
   double leftPushMm = 32, rightPushMm = 36, extentMm = 33;
+  bool calculix = true;  ///< else linear elasticity with turns made true (CorotationalWarp): seconds
 };
 
 /// The truth is none of the atlas's: CalculiX, neo-Hookean and large displacement, on a mesh of its own, and

@@ -1,7 +1,7 @@
-// ./run bench update-phantom [--starts N] [--thesis-starts N] [--svg FILE]: thesis Tables V.3 and V.4, ours
-// beside them, and Figure V.11: the virtual phantom with 43 beads under two packings, by full and partial
-// surface, and from perturbed starts. The thesis's methods take a minute a start: with --thesis-starts 0 they
-// are left out. The truth is CalculiX's, in no atlas's span.
+// ./run bench update-phantom [--starts N] [--thesis-starts N] [--truth warp] [--svg FILE]: thesis Tables V.3
+// and V.4, ours beside them, and Figure V.11: the virtual phantom with 43 beads under two packings, by full
+// and partial surface, and from perturbed starts. The thesis's methods take a minute a start: with
+// --thesis-starts 0 they are left out. The truth is CalculiX's, in no atlas's span.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -178,16 +178,21 @@ std::vector<CurvePanel> printPerturbations(const Workshop& shop, const Perturbed
 
 int run(int count, char** words) {
   PerturbedPlan plan;
+  PackedPhantomPlan phantom;
   int thesisStarts = plan.starts;
   const char* svg = nullptr;
   for (int i = 1; i + 1 < count; i += 2) {
     if (std::strcmp(words[i], "--starts") == 0) plan.starts = std::max(2, std::atoi(words[i + 1]));
     if (std::strcmp(words[i], "--thesis-starts") == 0) thesisStarts = std::max(0, std::atoi(words[i + 1]));
+    if (std::strcmp(words[i], "--truth") == 0) phantom.calculix = std::strcmp(words[i + 1], "warp") != 0;
     if (std::strcmp(words[i], "--svg") == 0) svg = words[i + 1];
   }
-  const Workshop shop(packedPhantoms());
-  std::printf("%zu beads; atlas of %zu members, rank %td. Errors at the beads, mm: mean±sd(largest).\n\n",
-              shop.made().beads.points.size(), shop.made().atlas.members.size(), shop.made().atlas.rank());
+  const Workshop shop(packedPhantoms(phantom));
+  std::printf(
+      "Truth by %s. %zu beads; atlas of %zu members, rank %td. Errors at the beads, mm: "
+      "mean±sd(largest).\n\n",
+      phantom.calculix ? "CalculiX, neo-Hookean" : "linear elasticity with true turns",
+      shop.made().beads.points.size(), shop.made().atlas.members.size(), shop.made().atlas.rank());
   printOurs(shop);
   if (thesisStarts > 0) printThesisTables(shop);
   const std::vector<CurvePanel> panels = printPerturbations(shop, plan, thesisStarts);

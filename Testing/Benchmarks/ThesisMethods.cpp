@@ -17,7 +17,7 @@ Isometry3d thesisStart(RegistrationMethod method, const ReadyLiver& liver, const
 /// The fit looks at a liver near the scan by its load centres, and lets loads under the scan weigh less: so
 /// centres without loads lie all over the surface, and the modes', which press nowhere, in the middle.
 LoadResponses modesAsLoads(const Atlas& atlas, const Surface& preop) {
-  const std::vector<int> spread = spreadSample(preop.points, 300);
+  const std::vector<int> spread = spreadSample(preop.points, 120);
   const Index rank = atlas.rank(), own = (rank + 2) / 3,  // three rows a centre
       centres = own + static_cast<Index>(spread.size());
   LoadResponses loads;
