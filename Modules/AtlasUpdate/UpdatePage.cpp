@@ -281,6 +281,7 @@ void UpdatePage::refresh() {
   for (QWidget* one : looks_) one->setEnabled(made && !running_);
   share_->setValue(look_.share);
   meaning_->setText(meaningOf(look_.colours));
+  meaning_->setMinimumHeight(meaning_->heightForWidth(meaning_->width()));  // a longer text is not cut off
   {
     const QSignalBlocker quietCompare(compare_), quietSlices(slices_), quietBefore(before_);
     colours_->setCurrentIndex(static_cast<int>(look_.colours));

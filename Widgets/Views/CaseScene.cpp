@@ -274,7 +274,10 @@ void CaseScene::followTexts(const Wanted& now) {
                  (held ? supportCaption(case_.supports()->regions.at(label)) : patchName(*surface, label))});
     }
   }
-  if (narrow_) title_.setText("");
+  if (narrow_) {
+    title_.setText("");
+    entries.clear();  // they would lie on the liver
+  }
   legend_.show(entries);
   legendLines_ = static_cast<int>(entries.size());
 }

@@ -66,7 +66,10 @@ void CaseViews::follow() {
   if (slices_) slices_->setVisible(options.slicesShown);
   // Once the views have their new sizes.
   if (compare != wasCompared || options.slicesShown != wereSlices)
-    QTimer::singleShot(kFitAfterMs, main_, &CaseView3D::fit);
+    QTimer::singleShot(kFitAfterMs, this, [this] {
+      if (compared_ && compared_->isVisible()) compared_->fit();
+      main_->fit();
+    });
 }
 
 }  // namespace falciform
