@@ -9,6 +9,7 @@
 
 #include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Acquisition/VirtualScanner.h"
+#include "Logic/Atlas/UpdateSettings.h"
 #include "Logic/Biomechanics/MeshSettings.h"
 #include "Logic/Deformation/DistanceMapping.h"
 #include "Logic/Registration/RegistrationSettings.h"
@@ -64,13 +65,13 @@ std::string number(double value) {
 }
 
 template <class S>
-void expectSettingsInHelp(const std::string& command) {
+void expectSettingsInHelp(const std::string& command, const std::string& prefix = {}) {
   const std::string help = unwrapped(falciform(call(command, "--help")).out);
   S settings;
   describe(settings, [&]<class T>(const FieldInfo& info, T&) {
     if (info.key == "seed") return;
     SCOPED_TRACE(command + " --help, " + std::string(info.key));
-    const std::size_t at = help.find(expectedFlag(info) + " ");
+    const std::size_t at = help.find(prefix + expectedFlag(info) + " ");
     ASSERT_NE(at, std::string::npos);
     EXPECT_THAT(help, HasSubstr(std::string(info.help)));
     if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
@@ -98,6 +99,8 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
     expectSettingsInHelp<SurfaceImportSettings>(command);
     expectSettingsInHelp<RegistrationSettings>(command);
     expectSettingsInHelp<DistanceSettings>(command);
+    expectSettingsInHelp<MeshSettings>(command, "mesh-");
+    expectSettingsInHelp<UpdateSettings>(command, "update-");
   }
 }
 
