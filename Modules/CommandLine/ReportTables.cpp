@@ -182,8 +182,10 @@ std::string settingsSection(const CaseSettings& settings) {
   settingRows(table, "Patch transfer", settings.patches);
   settingRows(table, "Registration", settings.registration);
   settingRows(table, "Distance map", settings.distance);
-  settingRows(table, "Mesh", settings.mesh);
-  settingRows(table, "Model update", settings.update);
+  if (settings.withUpdate) {
+    settingRows(table, "Mesh", settings.mesh);
+    settingRows(table, "Model update", settings.update);
+  }
   return htmlSection("Settings",
                      htmlParagraph("Registration preset: " + settings.preset + ".") + table.html());
 }

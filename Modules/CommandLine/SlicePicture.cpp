@@ -80,7 +80,7 @@ void drawOutline(RenderedImage& image, const Frame& frame, const Surface& surfac
     const int steps = std::max(1, static_cast<int>(std::ceil(2 * (to - from).norm())));
     for (int k = 0; k <= steps; ++k) {
       const Eigen::Vector2d at = from + (to - from) * k / steps;
-      if (dashed && static_cast<int>(std::floor((at.x() + at.y()) / 6)) % 2 != 0) continue;
+      if (dashed && (static_cast<int>(at.x() / 6) + static_cast<int>(at.y() / 6)) % 2 != 0) continue;
       for (int dy = 0; dy < 2; ++dy)
         for (int dx = 0; dx < 2; ++dx) {
           const int x = static_cast<int>(at.x()) + dx, y = static_cast<int>(at.y()) + dy;
