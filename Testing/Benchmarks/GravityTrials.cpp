@@ -8,6 +8,7 @@
 #include "Logic/Atlas/AtlasBuilding.h"
 #include "Logic/Atlas/DesignSampling.h"
 #include "Logic/Atlas/ModeCompression.h"
+#include "Logic/Biomechanics/CornerWarp.h"
 #include "Logic/Biomechanics/DeformationCheck.h"
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Biomechanics/MeshPlaces.h"
@@ -86,6 +87,7 @@ GravityExperiment gravityExperiment(const GravityPlan& plan) {
   const TetrahedralMesh mesh = meshLiver(made.preop, {}, meshing).mesh;
   made.atlas = buildAtlas(mesh, findSupportSites(made.preop, mesh, boundaryFaces(mesh)),
                           atlasPreset("thesis-gravity"));
+  const CornerWarp warp(mesh);
   Draws draws(plan.seed);
   for (int k = 0; k < plan.trials; ++k) {
     GravityTrial trial;
@@ -95,8 +97,12 @@ GravityExperiment gravityExperiment(const GravityPlan& plan) {
     const Points displacements = fieldOf(
         made.atlas.modes,
         coefficientsUnder(made.atlas, turned(made.atlas.design.gravityDirections, trial.yDeg, trial.zDeg)));
-    seeTrial(made.preop, mesh, displacements, plan, plan.seed + 1 + static_cast<std::uint64_t>(k), trial);
+    const std::uint64_t seed = plan.seed + 1 + static_cast<std::uint64_t>(k);
+    GravityTrial turnedTruly = trial;
+    seeTrial(made.preop, mesh, displacements, plan, seed, trial);
+    seeTrial(made.preop, mesh, displacements + warp.apply(displacements).added, plan, seed, turnedTruly);
     made.inside.push_back(std::move(trial));
+    made.turned.push_back(std::move(turnedTruly));
   }
   return made;
 }

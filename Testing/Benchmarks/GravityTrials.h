@@ -22,7 +22,9 @@ struct GravityTrial {
 struct GravityExperiment {
   Surface preop;
   Atlas atlas;
-  std::vector<GravityTrial> inside;  ///< truth from the atlas's own span and mesh: an inverse crime
+  /// Truth from the atlas's own span and mesh, an inverse crime: linear, as the thesis's, which swells what
+  /// it turns; and the same with turns made true (CornerWarp), as our fit bends.
+  std::vector<GravityTrial> inside, turned;
 };
 
 /// What is meshed how finely, and how well the scanner sees.

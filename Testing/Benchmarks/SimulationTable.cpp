@@ -43,7 +43,7 @@ OwnRow ownRow(const ReadyLiver& liver, const ThesisMethods& methods, const Gravi
           partial.updated, scanned.updated, bare.updated, bare.expectedMm};
 }
 
-void printOwn(const GravityExperiment& made, const std::vector<OwnRow>& rows) {
+void printOwn(const std::vector<GravityTrial>& trials, const std::vector<OwnRow>& rows) {
   std::puts(
       "| trial | gravity turned, deg | seen | truth's min det J | optimal rigid | full: registered | full: "
       "ours, atlas | partial: registered | partial: ours, atlas | noisy scan: ours, atlas | noisy scan: "
@@ -52,7 +52,7 @@ void printOwn(const GravityExperiment& made, const std::vector<OwnRow>& rows) {
   int accepted = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const OwnRow& r = rows[i];
-    const GravityTrial& t = made.inside[i];
+    const GravityTrial& t = trials[i];
     const auto cell = [](const ErrorFigures& e) { return withoutSpread(e, 2); };
     std::printf("| %zu | %.0f, %.0f | %.0f %% | %.2f | %s | %s | %s | %s | %s | %s | %s | %.2f |\n", i + 1,
                 t.yDeg, t.zDeg, 100 * t.coverage, t.minDetJ, cell(r.optimal).c_str(),
@@ -81,9 +81,14 @@ int run(bool oursOnly) {
     printThesisTable(star ? "PICP" : "ICP", star ? "ICAt\\*" : "ICAt", rows,
                      star ? kThesisTableV2 : kThesisTableV1);
   }
-  std::vector<OwnRow> own;
-  for (const GravityTrial& trial : made.inside) own.push_back(ownRow(liver, methods, trial));
-  printOwn(made, own);
+  for (const bool turned : {false, true}) {
+    const std::vector<GravityTrial>& trials = turned ? made.turned : made.inside;
+    std::vector<OwnRow> own;
+    for (const GravityTrial& trial : trials) own.push_back(ownRow(liver, methods, trial));
+    std::puts(turned ? "\nOurs; the truth's turns made true\n" : "Ours; the truth linear, as the thesis's\n");
+    printOwn(trials, own);
+    std::fflush(stdout);
+  }
   return 0;
 }
 
