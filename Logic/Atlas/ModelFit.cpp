@@ -27,6 +27,9 @@ constexpr double kSettledMm = 0.02;  ///< RMS change of the fitted surface under
 constexpr int kRoughIterations = 6;                  ///< before which nothing but pose and bending is learnt
 constexpr double kFirstReachMm = 45, kReachMm = 40;  ///< of the scan, for the part of surface it can meet
 constexpr double kPullSoftMm = 2;  ///< beyond a patch's border where its pull has half its weight
+/// What the scan is held to be worth at first. Little: once a fit has followed what a scanner gets wrong over
+/// centimetres, its residuals no longer show that.
+constexpr double kFirstSamples = 100;
 constexpr double kFewestSamples = 20;
 
 double squared(double x) { return x * x; }
@@ -38,7 +41,7 @@ ModelFit::ModelFit(const UpdateModel& model, const Surface& scan, const Isometry
     : model_(model),
       settings_(settings),
       pose_(scanFromPreopStart.inverse()),
-      samples_(settings.effectiveSamples),
+      samples_(std::min(settings.effectiveSamples, kFirstSamples)),
       surface_(model, settings.patchWeight > 0) {
   choosePoints(scan, seed);
   coefficients_ = VectorXd::Zero(model.responses().loads());
@@ -310,9 +313,14 @@ void ModelFit::finish(UpdateResult& result) const {
   result.turnCentre = turnCentre_;
   result.rmsMm = rmsMm_;
   result.noiseMm = noiseMm_;
+  result.effectiveSamples = samples_;
   result.bendMm = bendMm_;
   result.effectiveParameters = known_;
   describeDeformation(model_.responses().mesh, result);
+  if (bendMm_ >= settings_.maxBendMm)
+    result.warnings.push_back(
+        "the scan asks for more bending than is believed possible: its errors may go together over wide "
+        "areas, or the liver may have turned far; expected errors are too small then");
 }
 
 UpdateResult ModelFit::run(const Progress& progress, const UpdateObserver& observer) {

@@ -52,6 +52,7 @@ struct UpdateResult {
   double rmsMm =
       0;  ///< point-to-plane residual of the scan's points, robustly weighted: fit, not target error
   double noiseMm = 0;              ///< as learnt from the residuals
+  double effectiveSamples = 0;     ///< how many independent measurements the scan turned out to be worth
   double bendMm = 0;               ///< prior RMS bending as learnt by evidence
   double effectiveParameters = 0;  ///< how many of the loads the scan determines
   double minDetJ = 1;              ///< smallest local ratio of volumes; 0 or less: tissue folded over
@@ -90,10 +91,5 @@ using UpdateObserver = std::function<bool(const UpdateStep&)>;
 /// displacements go on linearly.
 [[nodiscard]] Points scanFromPreop(const UpdateModel& model, const UpdateResult& update,
                                    const Points& preopMm);
-
-/// Expected error in mm (root mean square over the posterior) of where each pre-op place is now (K x 3 in, K
-/// out).
-[[nodiscard]] VectorXd expectedErrorMm(const UpdateModel& model, const UpdateResult& update,
-                                       const Points& preopMm);
 
 }  // namespace falciform

@@ -10,7 +10,7 @@ struct UpdateSettings {
   double effectiveSamples = 1000;  ///< how many independent measurements the scan is worth at most
   double noiseFloorMm = 0.3;       ///< least noise that is believed
   double patchWeight = 8;          ///< of a patch point's pull towards the same patch
-  double loadFreedom = 4;          ///< of Student's t, which each place's loads follow beforehand
+  double loadFreedom = 6;          ///< of Student's t, which each place's loads follow beforehand
   double maxBendMm = 40;           ///< largest RMS bending that is believed beforehand
   double seenLoadShare = 0.03;     ///< loads where the scan sees the surface, beside those where it does not
   double reachMm = 15;             ///< how near scan points must be for a place to count as seen

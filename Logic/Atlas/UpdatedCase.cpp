@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Core/LandmarkPairs.h"
 
 namespace falciform {

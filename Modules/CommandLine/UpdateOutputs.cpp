@@ -1,5 +1,6 @@
 #include "Modules/CommandLine/UpdateOutputs.h"
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Atlas/UpdatedPlaces.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/OutputFile.h"

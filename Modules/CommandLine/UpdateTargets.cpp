@@ -1,5 +1,6 @@
 #include "Modules/CommandLine/UpdateTargets.h"
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Atlas/UpdatedPlaces.h"
 #include "Logic/Core/LandmarkPairs.h"
 #include "Modules/CommandLine/Figures.h"

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Atlas/ModelUpdate.h"
 #include "Logic/Biomechanics/BlasKernel.h"
 #include "Logic/Biomechanics/LiverMesh.h"
@@ -28,7 +29,7 @@ struct Row {
 
 /// The 90 % quantile of the length of a three-dimensional isotropic Gaussian, by its root mean square: the
 /// root of a third of chi squared's, 6.2514 for three degrees of freedom.
-constexpr double kNineTenthsByRms = 1.4435;
+
 
 Row runCase(const UpdateCase& liver, double edgeMm) {
   Row row;
@@ -55,7 +56,7 @@ Row runCase(const UpdateCase& liver, double edgeMm) {
   row.largest = errors.maxCoeff();
   row.expected = expected.mean();
   row.targets = errors.size();
-  row.within = (errors.array() <= kNineTenthsByRms * expected.array()).count();
+  row.within = (errors.array() <= kNineInTen * expected.array()).count();
   return row;
 }
 

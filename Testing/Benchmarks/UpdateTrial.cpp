@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Core/Draws.h"
 #include "Logic/Geometry/Subdivision.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Atlas/ModelUpdate.h"
 #include "Logic/Biomechanics/BoundaryFaces.h"
 #include "Logic/Biomechanics/QuadraticMesh.h"
