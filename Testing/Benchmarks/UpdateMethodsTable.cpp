@@ -94,6 +94,8 @@ Preparation runCase(const UpdateCase& liver, std::vector<Row>& rows) {
     cell.seconds = registerS + update.seconds;
     cell.minDetJ = update.minDetJ;
     cell.settled = update.converged;
+    std::fprintf(stderr, "  %s: %.2f (%.1f) mm, %.2f s, %d iterations\n", each.name, cell.mean, cell.largest,
+                 cell.seconds, update.iterations);
     put(cell);
   }
   return before;
