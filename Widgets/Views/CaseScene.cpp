@@ -244,7 +244,7 @@ void CaseScene::followTexts(const Wanted& now) {
     title_.setText("Positive: the intra-operative surface lies outside the pre-operative one");
   } else if (now.bar()) {
     if (view_.options().colourBarShown)
-      bar_.show(*now.preopMap, !narrow_);
+      bar_.show(*now.preopMap, !narrow_ && !view_.options().slicesShown);  // else it meets the cube
     else
       bar_.clear();
     title_.setText(view_.options().deformedCaption);
