@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "Logic/Atlas/LoadFiles.h"
+#include "Logic/Atlas/UpdateMethods.h"
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Core/Errors.h"
 
@@ -38,6 +40,25 @@ std::function<ModelUpdateLogic::Model(const Progress&)> ModelUpdateLogic::prepar
   return [preop = case_.preop(), with = mesh](const Progress& progress) -> Model {
     const LiverMesh made = meshLiver(*preop, {}, with, progress.part(0, 0.3));
     LoadResponses responses = solveSurfaceLoads(made.mesh, {Material{}}, {}, progress.part(0.3, 0.95));
+    progress.report(0.95, "Preparing the surface");
+    return std::make_shared<const UpdateModel>(*preop, std::move(responses));
+  };
+}
+
+std::function<ModelUpdateLogic::Model(const Progress&)> ModelUpdateLogic::prepareModel(
+    const std::filesystem::path& atlas) const {
+  if (const std::string missing = missingForModel(); !missing.empty()) throw InputError(missing);
+  preparing_.clear();  // no settings made it
+  return [preop = case_.preop(), atlas](const Progress& progress) -> Model {
+    progress.report(0, "Reading the atlas");
+    const bool solved = atlasKindOf(atlas) == AtlasKind::SurfaceLoads;
+    LoadResponses responses;
+    if (solved)
+      responses = readLoadAtlas(atlas).atlas.loads;
+    else
+      responses.mesh = readAtlas(atlas).atlas.mesh;
+    checkSameLiver(responses.mesh, *preop);
+    if (!solved) responses = solveSurfaceLoads(responses.mesh, {Material{}}, {}, progress.part(0.3, 0.95));
     progress.report(0.95, "Preparing the surface");
     return std::make_shared<const UpdateModel>(*preop, std::move(responses));
   };

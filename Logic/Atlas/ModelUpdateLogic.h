@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -29,6 +30,9 @@ class ModelUpdateLogic {
   [[nodiscard]] std::string missingForModel() const;
   /// Meshing and the answers to surface loads; needs no scan.
   [[nodiscard]] std::function<Model(const Progress&)> prepareModel() const;
+  /// The same from an atlas file: of surface loads, solved before; or of deformations, whose mesh is taken.
+  /// The job throws InputError for a file that is none, or of another liver.
+  [[nodiscard]] std::function<Model(const Progress&)> prepareModel(const std::filesystem::path& atlas) const;
   /// Dropped (false) if the liver's shape has changed meanwhile.
   bool acceptModel(Model model);
   /// Of the case's liver, or nullptr: none yet, or its shape has changed.

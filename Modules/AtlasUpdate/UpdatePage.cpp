@@ -70,7 +70,12 @@ void UpdatePage::addModel() {
                 "seconds, more for a shorter edge length (mm), and needs no scan"),
              this);
   cancel_ = button("cancelPrepare", tr("Cancel"), tr("Stop preparing; nothing is kept"), this);
+  open_ = button("openAtlas", tr("Open…"),
+                 tr("Open an atlas of this liver (.h5) that was built before the operation: one of surface "
+                    "loads is ready at once, of one of deformations the mesh is used"),
+                 this);
   row->addWidget(prepare_, 1);
+  row->addWidget(open_);
   row->addWidget(cancel_);
   group->addLayout(row);
   modelMissing_ = wrappedLabel("updateModelMissing", this);
@@ -78,6 +83,7 @@ void UpdatePage::addModel() {
   group->addWidget(modelMissing_);
   group->addWidget(modelFacts_);
   connect(prepare_, &QPushButton::clicked, this, &UpdatePage::prepareModel);
+  connect(open_, &QPushButton::clicked, this, &UpdatePage::openAtlas);
   connect(cancel_, &QPushButton::clicked, this, [this] { bench().runner.cancel(); });
   connect(meshForm_, &SettingsForm::edited, this, [this] { refresh(); });
 }
@@ -262,6 +268,7 @@ void UpdatePage::refresh() {
   }
   const bool busy = bench().runner.busy();
   showReadiness(prepare_, modelMissing_, logic_.missingForModel());
+  open_->setEnabled(prepare_->isEnabled());
   cancel_->setEnabled(preparing_ && busy);
   modelFacts_->setText(updateModelState(logic_));
   modelFacts_->setVisible(logic_.missingForModel().empty());
@@ -281,7 +288,8 @@ void UpdatePage::refresh() {
   for (QWidget* one : looks_) one->setEnabled(made && !running_);
   share_->setValue(look_.share);
   meaning_->setText(meaningOf(look_.colours));
-  meaning_->setMinimumHeight(meaning_->heightForWidth(meaning_->width()));  // a longer text is not cut off
+  meaning_->setMinimumHeight(0);  // a longer text is not cut off, a shorter one takes no more than it needs
+  if (meaning_->isVisible()) meaning_->setMinimumHeight(meaning_->heightForWidth(meaning_->width()));
   {
     const QSignalBlocker quietCompare(compare_), quietSlices(slices_), quietBefore(before_);
     colours_->setCurrentIndex(static_cast<int>(look_.colours));

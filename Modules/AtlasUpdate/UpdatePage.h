@@ -42,6 +42,8 @@ class UpdatePage : public ModulePanel {
   void addTargets();
   void addExport();
   void prepareModel();
+  void openAtlas();
+  void makeModel(const QString& title, std::function<ModelUpdateLogic::Model(const Progress&)> make);
   void runUpdate();
   void updated(std::shared_ptr<const UpdateMaps> maps);
   void endRun();
@@ -64,7 +66,7 @@ class UpdatePage : public ModulePanel {
   std::map<std::string, double> opacityBefore_;
   QTimer* timer_;
   SettingsForm *meshForm_, *fitForm_;
-  QPushButton *prepare_, *cancel_, *update_, *stop_, *rigid_, *updated_;
+  QPushButton *prepare_, *open_, *cancel_, *update_, *stop_, *rigid_, *updated_;
   QPushButton *targets_, *truth_, *saveSurface_, *saveTargets_, *savePicture_;
   QLabel *modelMissing_, *modelFacts_, *missing_, *liveWords_, *figures_, *meaning_, *confidence_, *stale_,
       *warnings_;

@@ -14,10 +14,18 @@
 // The jobs of the update page: preparing, updating, opening and saving.
 
 namespace falciform {
-void UpdatePage::prepareModel() {
+void UpdatePage::prepareModel() { makeModel(tr("Preparing the model"), logic_.prepareModel()); }
+
+void UpdatePage::openAtlas() {
+  const QString file = askForFile(tr("Open an atlas of this liver"), tr("Atlases (*.h5)"));
+  if (!file.isEmpty()) makeModel(tr("Opening the atlas"), logic_.prepareModel(file.toStdString()));
+}
+
+void UpdatePage::makeModel(const QString& title,
+                           std::function<ModelUpdateLogic::Model(const Progress&)> make) {
   preparing_ = true;
   bench().runner.start(
-      tr("Preparing the model"), logic_.prepareModel(),
+      title, std::move(make),
       [this](ModelUpdateLogic::Model model) {
         preparing_ = false;
         if (!logic_.acceptModel(std::move(model))) {
