@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "Logic/Atlas/LoadFiles.h"
 #include "Logic/Atlas/ModelUpdateLogic.h"
 #include "Logic/Core/Errors.h"
 #include "Testing/Support/LiftedLiver.h"
 #include "Testing/Support/SmallSurfaces.h"
+#include "Testing/Support/TemporaryFolder.h"
 
 namespace falciform::test {
 namespace {
@@ -74,6 +76,28 @@ TEST_F(ModelUpdateLogicTest, TheCaseMovesAsTheSameCallsOfLogicMoveIt) {
   }
   EXPECT_TRUE(made.targets.back().structure);
   EXPECT_FALSE(made.targets.back().trueErrorMm);
+}
+
+TEST_F(ModelUpdateLogicTest, AnAtlasOfSurfaceLoadsIsTheModelItWasSolvedForAndAnotherLiversIsRefused) {
+  fill(8);
+  prepare();
+  const TemporaryFolder folder;
+  LoadAtlas atlas;
+  atlas.design = atlasPreset("surface-loads");
+  atlas.loads = logic.model()->responses();
+  writeLoadAtlas(folder / "loads.h5", atlas, nlohmann::json::object());
+  const UpdatedCase before = logic.run();
+  ASSERT_TRUE(logic.acceptModel(logic.prepareModel(folder / "loads.h5")({})));
+  EXPECT_FALSE(logic.modelOutdated()) << "no settings made it";
+  const UpdatedCase& after = logic.run();
+  EXPECT_LT((after.surface->points - before.surface->points).cwiseAbs().maxCoeff(),
+            1e-6)  // mm; rounding only
+      << "the file holds all there is";
+  Surface other = liver().surface;
+  other.points.rowwise() += Eigen::RowVector3d(150, 0, 0);
+  document.setPreop(std::make_shared<const Surface>(other));
+  EXPECT_THROW((void)logic.prepareModel(folder / "loads.h5")({}), InputError);
+  EXPECT_THROW((void)logic.prepareModel(folder / "absent.h5")({}), InputError);
 }
 
 TEST_F(ModelUpdateLogicTest, AResultSaysWhyItIsStale) {
