@@ -13,8 +13,4 @@ struct ProportionInterval {
 /// `successes` in [0, trials]; 0 trials prove nothing: [0, 1]. `confidence` in (0, 1).
 [[nodiscard]] ProportionInterval proportionInterval(Index successes, Index trials, double confidence = 0.95);
 
-/// The regularised incomplete beta function I_x(a, b), a and b > 0, x in [0, 1]. The chance of k or more
-/// successes of n at chance p is I_p(k, n - k + 1).
-[[nodiscard]] double incompleteBeta(double a, double b, double x);
-
 }  // namespace falciform
