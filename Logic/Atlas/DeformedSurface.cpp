@@ -22,26 +22,32 @@ void addUp(const Eigen::MatrixXf& responses, const VectorXd& coefficients, const
   });
 }
 
+CornerWarp::Change noTurns(Index nodes) { return {Points::Zero(nodes, 3), Points::Zero(nodes, 3)}; }
+
 }  // namespace
 
-BentNodes bendAll(const UpdateModel& model, const VectorXd& coefficients) {
+BentNodes bendAll(const UpdateModel& model, const VectorXd& coefficients, bool trueTurns) {
   BentNodes bent;
   bent.displacements.resize(model.responses().mesh.nodes(), 3);
   std::vector<int> all(static_cast<std::size_t>(bent.displacements.rows()));
   std::iota(all.begin(), all.end(), 0);
   addUp(model.responses().responses, coefficients, all, bent.displacements);
-  CornerWarp::Change change = model.warp().apply(bent.displacements);
+  CornerWarp::Change change =
+      trueTurns ? model.warp().apply(bent.displacements) : noTurns(bent.displacements.rows());
   bent.displacements += change.added;
   bent.turns = std::move(change.turns);
   return bent;
 }
 
-DeformedSurface::DeformedSurface(const UpdateModel& model, bool patches)
-    : model_(model), painted_(patches), linear_(Points::Zero(model.responses().mesh.nodes(), 3)) {}
+DeformedSurface::DeformedSurface(const UpdateModel& model, const UpdateSettings& settings)
+    : model_(model),
+      painted_(settings.patchWeight > 0),
+      trueTurns_(settings.trueTurns),
+      linear_(Points::Zero(model.responses().mesh.nodes(), 3)) {}
 
 void DeformedSurface::choose(const VectorXd& coefficients, const KdTree& scan, double reachMm) {
   centres_ = model_.responses().centres +
-             Points(model_.centres().interpolate(bendAll(model_, coefficients).displacements));
+             Points(model_.centres().interpolate(bendAll(model_, coefficients, trueTurns_).displacements));
   std::vector<char> near(static_cast<std::size_t>(centres_.rows()));
   for (Index c = 0; c < centres_.rows(); ++c)
     near[static_cast<std::size_t>(c)] =
@@ -94,7 +100,7 @@ void DeformedSurface::bend(const VectorXd& coefficients) {
 
 /// Points, turns and normals. Normals are weighted by area: cheap, and the vertices lie evenly.
 void DeformedSurface::place() {
-  const CornerWarp::Change change = model_.warp().apply(linear_);
+  const CornerWarp::Change change = trueTurns_ ? model_.warp().apply(linear_) : noTurns(linear_.rows());
   const MeshPlaces& places = model_.places();
   points_.resize(static_cast<Index>(vertices_.size()), 3);
   turns_.resize(vertices_.size());

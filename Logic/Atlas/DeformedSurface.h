@@ -9,10 +9,10 @@ namespace falciform {
 
 /// Where all of the liver's nodes are under some loads, rigid motion apart.
 struct BentNodes {
-  Points displacements;  ///< N x 3 mm, with turns made true ones
+  Points displacements;  ///< N x 3 mm
   Points turns;          ///< N x 3 rotation vectors, radians
 };
-[[nodiscard]] BentNodes bendAll(const UpdateModel& model, const VectorXd& coefficients);
+[[nodiscard]] BentNodes bendAll(const UpdateModel& model, const VectorXd& coefficients, bool trueTurns);
 
 /// The place of a deformed surface nearest to a point.
 struct SurfaceMeeting {
@@ -25,8 +25,7 @@ struct SurfaceMeeting {
 /// that the scan can reach is kept up to date. Inside Logic/Atlas only.
 class DeformedSurface {
  public:
-  /// `patches`: whether painted places will be asked for.
-  DeformedSurface(const UpdateModel& model, bool patches);
+  DeformedSurface(const UpdateModel& model, const UpdateSettings& settings);
 
   /// Bends the whole liver and keeps from then on the part whose load centres lie within `reachMm` of the
   /// scan's points. Trees are made anew.
@@ -56,7 +55,8 @@ class DeformedSurface {
   [[nodiscard]] SurfaceMeeting around(int nearest, const Vector3d& y, int label) const;
 
   const UpdateModel& model_;
-  bool painted_;
+  bool painted_;  ///< whether painted places will be asked for
+  bool trueTurns_;
   Points linear_;  ///< N x 3 of small-strain theory, of which the rows in nodes_ are up to date
   Points centres_;
   std::vector<int> nodes_, vertices_;

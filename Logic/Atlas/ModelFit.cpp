@@ -22,7 +22,7 @@ constexpr std::size_t kChunk = 256;
 constexpr int kCoarsePoints = 800;
 constexpr double kCellMm = 30;       ///< wider than the scan's own errors are likely to go together
 constexpr double kStaleMm = 0.15;    ///< RMS motion after which trees are made anew; vertices are 2 mm apart
-constexpr double kSettledMm = 0.02;  ///< RMS change of the fitted surface under the scan by one step
+constexpr double kSettledMm = 0.05;  ///< RMS change of the fitted surface under the scan by one step
 
 constexpr int kRoughIterations = 6;                  ///< before which nothing but pose and bending is learnt
 constexpr double kFirstReachMm = 45, kReachMm = 40;  ///< of the scan, for the part of surface it can meet
@@ -42,7 +42,7 @@ ModelFit::ModelFit(const UpdateModel& model, const Surface& scan, const Isometry
       settings_(settings),
       pose_(scanFromPreopStart.inverse()),
       samples_(std::min(settings.effectiveSamples, kFirstSamples)),
-      surface_(model, settings.patchWeight > 0) {
+      surface_(model, settings) {
   choosePoints(scan, seed);
   coefficients_ = VectorXd::Zero(model.responses().loads());
   strength_ = VectorXd::Ones(model.responses().centres.rows());
@@ -303,7 +303,7 @@ void ModelFit::learn(const Eigen::MatrixXd& covariance, const VectorXd& whitened
 
 /// All that follows from where the fit stands.
 void ModelFit::finish(UpdateResult& result) const {
-  BentNodes bent = bendAll(model_, coefficients_);
+  BentNodes bent = bendAll(model_, coefficients_, settings_.trueTurns);
   result.scanFromPreop = pose_.inverse();
   result.displacements = std::move(bent.displacements);
   result.turns = std::move(bent.turns);
@@ -355,7 +355,7 @@ UpdateResult ModelFit::run(const Progress& progress, const UpdateObserver& obser
       sinceTreesMm_ = 0;
     }
     if (iteration < kRoughIterations + 3) continue;
-    if (count < all && (change < 5 * kSettledMm || iteration > settings_.maxIterations - 8)) {
+    if (count < all && (change < 2 * kSettledMm || iteration > settings_.maxIterations - 8)) {
       count = all;
       continue;
     }

@@ -11,6 +11,7 @@ struct UpdateSettings {
   double noiseFloorMm = 0.3;       ///< least noise that is believed
   double patchWeight = 8;          ///< of a patch point's pull towards the same patch
   double loadFreedom = 6;          ///< of Student's t, which each place's loads follow beforehand
+  bool trueTurns = true;           ///< large turns are made true ones; false: small-strain theory as it is
   double maxBendMm = 40;           ///< largest RMS bending that is believed beforehand
   double seenLoadShare = 0.03;     ///< loads where the scan sees the surface, beside those where it does not
   double reachMm = 15;             ///< how near scan points must be for a place to count as seen
@@ -22,12 +23,11 @@ void describe(UpdateSettings& s, Visitor&& field) {
         s.maxIterations);
   field(FieldInfo{"samplePoints", "Scan points", "", 100, 100000, "Scan points used in the last iterations."},
         s.samplePoints);
-  field(
-      FieldInfo{
-          "effectiveSamples", "Effective samples", "", 10, 1e6,
-          "How many independent measurements the whole scan is worth at most. How far neighbouring points err "
-          "together, which makes it worth less, is learnt from the residuals."},
-      s.effectiveSamples);
+  field(FieldInfo{"effectiveSamples", "Effective samples", "", 10, 1e6,
+                  "How many independent measurements the whole scan is worth at most. How far neighbouring "
+                  "points err "
+                  "together, which makes it worth less, is learnt from the residuals."},
+        s.effectiveSamples);
   field(FieldInfo{"noiseFloorMm", "Noise floor", "mm", 0.01, 10,
                   "The fit never believes the scan to be more exact."},
         s.noiseFloorMm);
@@ -38,6 +38,10 @@ void describe(UpdateSettings& s, Visitor&& field) {
                   "Degrees of freedom of Student's t: small where few places press hard, large where all "
                   "press alike."},
         s.loadFreedom);
+  field(
+      FieldInfo{"trueTurns", "True turns", "", 0, 0,
+                "Tissue turns as it does; without, it swells where it turns far, as in small-strain theory."},
+      s.trueTurns);
   field(FieldInfo{"maxBendMm", "Largest bending", "mm", 1, 200,
                   "RMS displacement, rigid motion apart, that is believed beforehand at most."},
         s.maxBendMm);

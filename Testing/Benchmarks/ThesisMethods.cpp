@@ -47,12 +47,12 @@ ThesisMethods::ThesisMethods(const Surface& preop, std::shared_ptr<const Atlas> 
       own_(preop, modesAsLoads(*atlas_, preop)) {}
 
 MethodOutcome ThesisMethods::update(UpdateMethod method, const UpdateTrial& trial,
-                                    const Isometry3d& scanFromPreop) const {
+                                    const Isometry3d& scanFromPreop, const UpdateSettings& own) const {
   MethodOutcome done;
   done.rigid = figuresOf(transformed(trial.before, scanFromPreop), trial.after);
   done.update =
       method == UpdateMethod::Loads
-          ? updateModel(own_, trial.scan, scanFromPreop)
+          ? updateModel(own_, trial.scan, scanFromPreop, own)
           : updateByMethod(method == UpdateMethod::Icat ? icat_ : icatStar_, trial.scan, scanFromPreop);
   done.places = placesNow(atlas_->mesh, done.update, trial.before);
   done.updatedMm = (done.places - trial.after).rowwise().norm();

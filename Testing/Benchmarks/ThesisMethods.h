@@ -27,9 +27,9 @@ class ThesisMethods {
  public:
   ThesisMethods(const Surface& preop, std::shared_ptr<const Atlas> atlas);
 
-  /// From a given pose. `Loads`: ours, with the atlas's modes.
+  /// From a given pose. `Loads`: ours, with the atlas's modes and `own` settings.
   [[nodiscard]] MethodOutcome update(UpdateMethod method, const UpdateTrial& trial,
-                                     const Isometry3d& scanFromPreop) const;
+                                     const Isometry3d& scanFromPreop, const UpdateSettings& own = {}) const;
   /// The thesis's start: ICP, or PICP with the falciform patch, from how the frames lie.
   [[nodiscard]] Isometry3d icp(const ReadyLiver& liver, const UpdateTrial& trial) const;
   [[nodiscard]] Isometry3d picp(const ReadyLiver& liver, const UpdateTrial& trial) const;
