@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "Logic/IO/CsvTable.h"
 #include "Logic/IO/JsonFile.h"
 #include "Logic/IO/NumberText.h"
 
@@ -36,15 +37,8 @@ Json byPatch(const std::map<int, DistanceStatistics>& statistics, const Surface&
   return list;
 }
 
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string row(const std::string& side, const std::string& patch, const DistanceStatistics& s) {
-  std::string line = side + ',' + cell(patch) + ',' + std::to_string(s.count);
+  std::string line = side + ',' + csvCell(patch) + ',' + std::to_string(s.count);
   for (const double value : {s.mean, s.sd, s.median, s.p95Absolute, s.min, s.max, s.rms, s.meanAbsolute})
     line += ',' + (std::isfinite(value) ? numberText(value) : std::string());
   return line + '\n';

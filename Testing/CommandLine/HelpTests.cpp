@@ -11,6 +11,7 @@
 #include "Logic/Acquisition/VirtualScanner.h"
 #include "Logic/Atlas/UpdateSettings.h"
 #include "Logic/Biomechanics/MeshSettings.h"
+#include "Logic/Deformation/Cohort/LabelPermutation.h"
 #include "Logic/Deformation/DistanceMapping.h"
 #include "Logic/Registration/RegistrationSettings.h"
 #include "Logic/Registration/Trials/Trials.h"
@@ -23,9 +24,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands{"import", "patches",     "register",   "distance",
-                                         "run",    "demo",        "synthesise", "trials",
-                                         "mesh",   "atlas build", "atlas info", "info"};
+const std::vector<std::string> kCommands{"import",      "patches",    "register",   "distance", "cohort",
+                                         "run",         "demo",       "synthesise", "trials",   "mesh",
+                                         "atlas build", "atlas info", "info"};
 
 /// A call of a command of one word or two.
 std::vector<std::string> call(const std::string& command, const std::string& flag) {
@@ -89,6 +90,7 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
   expectSettingsInHelp<SurfaceImportSettings>("import");
   expectSettingsInHelp<RegistrationSettings>("register");
   expectSettingsInHelp<DistanceSettings>("distance");
+  expectSettingsInHelp<PermutationSettings>("cohort");
   expectSettingsInHelp<TrialSettings>("trials");
   expectSettingsInHelp<MeshSettings>("atlas build");
   expectSettingsInHelp<MeshSettings>("mesh");
