@@ -30,7 +30,6 @@ struct Row {
 /// The 90 % quantile of the length of a three-dimensional isotropic Gaussian, by its root mean square: the
 /// root of a third of chi squared's, 6.2514 for three degrees of freedom.
 
-
 Row runCase(const UpdateCase& liver, double edgeMm) {
   Row row;
   row.optimal = liver.optimalRigidMm;

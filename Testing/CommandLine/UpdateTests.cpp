@@ -28,7 +28,7 @@ class UpdateCommand : public testing::Test {
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
   void pack(const std::string& mm) const {
     const Ran ran =
-        falciform({"synthesise", "--out", at("case"), "--packing", mm, "--edge-length", "4", "--voxel", "4"});
+        falciform({"synthesise", "--out", at("case"), "--packing", mm, "--edge-length", "3", "--voxel", "4"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
   }
   std::vector<std::string> words() const {
