@@ -45,7 +45,13 @@ Index placeOf(const std::vector<std::string>& names, const std::string& name) {
   return found == names.end() ? -1 : found - names.begin();
 }
 
+/// More is a table of something else; comparing each two would take hours.
+constexpr std::size_t kMostCases = 500;
+
 void checkNames(const std::vector<std::string>& names, const Source& source) {
+  if (names.size() > kMostCases)
+    throw InputError(source.name + ": the head names " + std::to_string(names.size()) + " cases; " +
+                     std::to_string(kMostCases) + " are the most; is this the right file?");
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (name->empty()) throw InputError(source.name + ": the head has an empty cell; name each case there");
     if (std::find(names.begin(), name, *name) != name)

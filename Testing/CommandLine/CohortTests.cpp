@@ -192,6 +192,9 @@ TEST_F(CohortCommand, MistakesAreOneLineAndLeaveNothing) {
   refused("case,a,b,b\na,1,0.5,0.2\n", groups, "'b' stands twice");
   refused("case,a,b,c\na,1,0.5\n", groups, "has 3 cells where the head has 4");
   refused("", groups, "holds no table");
+  std::string wide = "case";
+  for (int i = 0; i < 100000; ++i) wide += "," + std::to_string(i);
+  refused(wide + "\n", groups, "names 100000 cases; 500 are the most");
   refused(good, "case,group\na,X\nb,X\n", "case 'c' has no line");
   refused(good, "name,kind\na,X\n", "no columns 'case' and 'group'");
   refused(good, "case,group\na,X\na,Y\n", "line 3: case 'a' has a group already");
@@ -207,6 +210,39 @@ TEST_F(CohortCommand, MistakesAreOneLineAndLeaveNothing) {
                 folder_.path(), "both given");
   expectRefusal({"cohort", "--matrix", at("none.csv"), "--groups", at("g.csv"), "--out", at("out")},
                 folder_.path(), "none.csv");
+}
+
+TEST_F(CohortCommand, SpeaksWith3DSlicer) {
+  const Ran ran =
+      thesisTable("TableIV5.csv", "out",
+                  {"--permutations", "100000", "--slicer-progress", "--returnparameterfile", at("figures")});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  EXPECT_THAT(ran.out, testing::StartsWith("<filter-progress>"));
+  EXPECT_THAT(text("figures"), HasSubstr("in_group_mean = 0.322857142857142"));  // 2.26 / 7
+}
+
+TEST_F(CohortCommand, InterruptedItLeavesNothing) {
+  // Sixty cases in five groups take minutes.
+  Draws draws(2);
+  std::string matrix = "case", groups = "case,group\n";
+  for (int i = 0; i < 60; ++i) {
+    matrix += "," + std::to_string(i);
+    groups += std::to_string(i) + "," + static_cast<char>('A' + i % 5) + "\n";
+  }
+  for (int i = 0; i < 60; ++i) {
+    matrix += "\n" + std::to_string(i);
+    for (int j = 0; j < 60; ++j) matrix += j <= i ? "," : "," + std::to_string(draws.uniform(-1, 1));
+  }
+  write("m.csv", matrix + "\n");
+  write("g.csv", groups);
+  const auto before = contentsOf(folder_.path());
+  RunOptions options;
+  options.interruptWhen = [&] { return contentsOf(folder_.path()).size() > before.size(); };
+  const Ran ran = falciform({"cohort", "--matrix", at("m.csv"), "--groups", at("g.csv"), "--out", at("out"),
+                             "--permutations", "10000000"},
+                            options);
+  EXPECT_EQ(ran.exitCode, 130) << ran.err;
+  EXPECT_EQ(contentsOf(folder_.path()), before);
 }
 
 TEST_F(CohortCommand, GroupsOfCasesThatAreNotThereAreWarnedOf) {
