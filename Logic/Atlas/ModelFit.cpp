@@ -31,6 +31,7 @@ constexpr double kPullSoftMm = 2;  ///< beyond a patch's border where its pull h
 /// centimetres, its residuals no longer show that.
 constexpr double kFirstSamples = 100;
 constexpr double kFewestSamples = 20;
+constexpr double kUnlikelyBend = 0.75;  ///< share of the largest bending, from which the user is warned
 
 double squared(double x) { return x * x; }
 
@@ -317,9 +318,9 @@ void ModelFit::finish(UpdateResult& result) const {
   result.bendMm = bendMm_;
   result.effectiveParameters = known_;
   describeDeformation(model_.responses().mesh, result);
-  if (bendMm_ >= settings_.maxBendMm)
+  if (bendMm_ >= kUnlikelyBend * settings_.maxBendMm)
     result.warnings.push_back(
-        "the scan asks for more bending than is believed possible: its errors may go together over wide "
+        "the scan asks for more bending than is likely: its errors may go together over wide "
         "areas, or the liver may have turned far; expected errors are too small then");
 }
 

@@ -15,6 +15,9 @@ namespace {
 
 constexpr std::size_t kPlacesEach = 12;  ///< scan points beside a load centre that are worth one measurement
 
+constexpr Index kPlacesOfLiver = 200;
+constexpr double kSmoothMm = 10;  ///< about half of what parts load centres
+
 /// A few vertices of the surface around each load centre, evenly among those that are nearest to it.
 std::vector<std::vector<int>> placesAround(const UpdateModel& model) {
   std::vector<std::vector<int>> around(static_cast<std::size_t>(model.responses().centres.rows()));
@@ -71,6 +74,30 @@ VectorXd scanGainMm(const UpdateModel& model, const UpdateResult& update, const 
     }
   });
   return gains;
+}
+
+VectorXd scanGainOnSurface(const UpdateModel& model, const UpdateResult& update, const Points& targetsMm,
+                           const Points& surfaceMm) {
+  Points places = targetsMm;
+  if (places.rows() == 0) {
+    const Points& nodes = model.responses().mesh.points;
+    std::vector<int> some;
+    for (Index n = 0; n < nodes.rows(); n += std::max<Index>(1, nodes.rows() / kPlacesOfLiver))
+      some.push_back(static_cast<int>(n));
+    places = nodes(some, Eigen::all);
+  }
+  const VectorXd gains = scanGainMm(model, update, places);
+  const Points& centres = model.responses().centres;
+  VectorXd map(surfaceMm.rows());
+  forEachChunk(static_cast<std::size_t>(map.size()), 256, [&](std::size_t first, std::size_t last) {
+    for (auto i = static_cast<Index>(first); i < static_cast<Index>(last); ++i) {
+      const VectorXd squares = (centres.rowwise() - surfaceMm.row(i)).rowwise().squaredNorm();
+      // Beside the nearest centre's, so that nothing underflows far from all of them.
+      const VectorXd shares = (-(squares.array() - squares.minCoeff()) / (2 * kSmoothMm * kSmoothMm)).exp();
+      map[i] = shares.dot(gains) / shares.sum();
+    }
+  });
+  return map;
 }
 
 }  // namespace falciform

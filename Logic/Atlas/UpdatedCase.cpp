@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "Logic/Atlas/ExpectedError.h"
+#include "Logic/Atlas/ScanNext.h"
 #include "Logic/Core/LandmarkPairs.h"
 
 namespace falciform {
@@ -103,6 +104,7 @@ UpdatedCase moveCase(const CasePlaces& places, std::shared_ptr<const UpdateModel
       target.expectedErrorMm = expected[i];
     }
   }
+  surface->arrays[kScanGain] = scanGainOnSurface(*made.model, made.update, middles, before);
   measure(made, places);
   progress.report(1);
   return made;

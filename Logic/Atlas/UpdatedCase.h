@@ -34,7 +34,7 @@ struct UpdatedCase {
   std::shared_ptr<const RegistrationResult> registration;
   UpdateResult update;
   /// The pre-op surface where it is now, scan mm; arrays kDisplacement (beside the update's own rigid
-  /// motion), kAgainstRigid and kExpectedError.
+  /// motion), kAgainstRigid, kExpectedError and kScanGain.
   std::shared_ptr<const Surface> surface;
   std::map<std::string, std::shared_ptr<const Surface>> structures;        ///< where they are now, scan mm,
   std::map<std::string, std::shared_ptr<const Surface>> structuresBefore;  ///< and were, pre-op mm

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "Logic/Atlas/ScanNext.h"
 #include "Logic/Deformation/DistanceMapping.h"
 
 namespace falciform {
@@ -84,6 +85,8 @@ std::optional<ScalarMap> mapFor(UpdateColours colours, const UpdateMaps& maps) {
       return symmetricMap(kSignedDistance, "Residual (fit)", "mm", {maps.rigid.get(), maps.updated.get()});
     case UpdateColours::ExpectedError:
       return magnitudeMap(kExpectedError, "Expected error", "mm", largestOf(*maps.updated, kExpectedError));
+    case UpdateColours::ScanGain:
+      return magnitudeMap(kScanGain, "Scan here next", "mm", largestOf(*maps.updated, kScanGain));
   }
   return std::nullopt;
 }
@@ -102,6 +105,13 @@ QString meaningOf(UpdateColours colours) {
       return tr(
           "How far each place may be off, mm (root mean square): the update's own estimate, not measured. It "
           "grows away from the scan.");
+    case UpdateColours::ScanGain:
+      return tr(
+          "Where more scanning would help: by how many mm the expected error at the targets (without any, "
+          "over "
+          "the liver) would fall if the surface around each place were scanned too. Whether the scanner can "
+          "see "
+          "it is not asked.");
   }
   return {};
 }

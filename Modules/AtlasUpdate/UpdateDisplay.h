@@ -11,7 +11,7 @@ namespace falciform {
 
 /// An update as the views show it: in the pre-op frame, where the registration puts the scan, so that nothing
 /// moves but what the update moves. Arrays on both livers: kSignedDistance to the scan, kAgainstRigid; on the
-/// updated one also kExpectedError.
+/// updated one also kExpectedError and kScanGain.
 struct UpdateMaps {
   std::shared_ptr<const UpdatedCase> of;
   std::shared_ptr<const Surface> rigid, updated;
@@ -23,7 +23,7 @@ struct UpdateMaps {
 [[nodiscard]] std::shared_ptr<const UpdateMaps> mapsOf(std::shared_ptr<const UpdatedCase> made,
                                                        const Progress& progress = {});
 
-enum class UpdateColours { Plain, Motion, Residual, ExpectedError };
+enum class UpdateColours { Plain, Motion, Residual, ExpectedError, ScanGain };
 
 /// How the user looks at an update.
 struct UpdateLook {

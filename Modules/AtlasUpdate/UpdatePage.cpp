@@ -150,7 +150,8 @@ void UpdatePage::addLook() {
   colours_ = new QComboBox(this);
   colours_->setObjectName("updateColours");
   colours_->setToolTip(tr("What the liver's colours stand for, all in mm"));
-  colours_->addItems({tr("none"), tr("motion against rigid"), tr("residual (fit)"), tr("expected error")});
+  colours_->addItems({tr("none"), tr("motion against rigid"), tr("residual (fit)"), tr("expected error"),
+                      tr("scan here next")});
   auto* form = new QFormLayout;
   form->addRow(tr("Colours"), colours_);
   group->addLayout(form);

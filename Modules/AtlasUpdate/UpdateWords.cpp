@@ -6,12 +6,14 @@
 #include <cctype>
 #include <cmath>
 
+#include "Logic/Atlas/ScanNext.h"
 #include "Logic/Atlas/UpdateConfidence.h"
 
 namespace falciform {
 namespace {
 
-constexpr double kStandsOut = 1.3;  // a region's expected error beside the mean, to be named
+constexpr double kWorthScanningMm = 0.05;  // mean gain over a region below which no advice is given
+constexpr double kStandsOut = 1.3;         // a region's expected error beside the mean, to be named
 
 QString tr(const char* text) { return QCoreApplication::translate("UpdateWords", text); }
 
@@ -39,6 +41,13 @@ QString whereItSaysLeast(const UpdatedCase& made) {
       named << tr("%1 (%2)").arg(QString::fromStdString(region.name), mm(region.meanMm));
   return named.isEmpty() ? tr("No side of the liver stands out as less certain.")
                          : tr("The scan says little about %1.").arg(named.join(tr(" and ")));
+}
+
+QString whereToScanNext(const UpdatedCase& made) {
+  const auto regions = expectationByRegion(*made.preop, made.surface->arrays.at(kScanGain));
+  return regions.empty() || regions.front().meanMm < kWorthScanningMm
+             ? QString()
+             : tr(" More scanning would help most at %1.").arg(QString::fromStdString(regions.front().name));
 }
 
 QString trueErrors(const UpdatedCase& made) {
@@ -100,7 +109,7 @@ QString confidenceWords(const UpdatedCase& made) {
   QString words = tr("Expected error %1 on average").arg(mm(made.expectedErrorMeanMm));
   if (const QStringList tumours = atTumours(made); !tumours.isEmpty())
     words += tr("; %1").arg(tumours.join(", "));
-  words += ". " + whereItSaysLeast(made);
+  words += ". " + whereItSaysLeast(made) + whereToScanNext(made);
   if (made.registration->expectedErrorMeanMm > 0)
     words += tr(" The rigid registration alone expects %1.").arg(mm(made.registration->expectedErrorMeanMm));
   return words + trueErrors(made);

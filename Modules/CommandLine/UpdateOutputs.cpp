@@ -1,6 +1,8 @@
 #include "Modules/CommandLine/UpdateOutputs.h"
 
 #include "Logic/Atlas/ExpectedError.h"
+#include "Logic/Atlas/ScanNext.h"
+#include "Logic/Atlas/UpdateConfidence.h"
 #include "Logic/Atlas/UpdatedPlaces.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/OutputFile.h"
@@ -36,12 +38,17 @@ VectorXd surfaceExpectation(const UpdatedLiver& liver) {
   return MeshPlaces(mesh, liver.liver.surface.points).interpolate(nodes).col(0).cwiseMax(0);
 }
 
+falciform::Points targetPlaces(const Landmarks& targets) {
+  falciform::Points places(static_cast<Index>(targets.points.size()), 3);
+  for (Index i = 0; i < places.rows(); ++i)
+    places.row(i) = targets.points[static_cast<std::size_t>(i)].position.transpose();
+  return places;
+}
+
 void writeTargets(const UpdatedLiver& liver, const fs::path& file) {
   Landmarks updated = liver.input.targets;
   updated.frame = liver.input.scan.frame;
-  falciform::Points places(static_cast<Index>(updated.points.size()), 3);
-  for (Index i = 0; i < places.rows(); ++i)
-    places.row(i) = updated.points[static_cast<std::size_t>(i)].position.transpose();
+  const falciform::Points places = targetPlaces(updated);
   const falciform::Points now = scanFromPreop(liver.liver.mesh, liver.update, places);
   for (Index i = 0; i < places.rows(); ++i)
     updated.points[static_cast<std::size_t>(i)].position = now.row(i).transpose();
@@ -64,7 +71,11 @@ UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input, con
                           const UpdateResult& update, const UpdateModel* model) {
   UpdatedLiver updated{liver, input, rigid, update, model, {}, {}};
   updated.moved = movedSurface(updated, liver.surface);
-  if (model != nullptr) updated.moved.arrays[kExpectedError] = surfaceExpectation(updated);
+  if (model != nullptr) {
+    updated.moved.arrays[kExpectedError] = surfaceExpectation(updated);
+    updated.moved.arrays[kScanGain] =
+        scanGainOnSurface(*model, update, targetPlaces(input.targets), liver.surface.points);
+  }
   updated.targetError = targetErrorOf(updated);
   return updated;
 }
@@ -155,6 +166,13 @@ void sayUpdate(const UpdatedLiver& liver, CommandRun& run) {
   if (liver.model != nullptr)
     run.say("expected error: mean " + fixed(liver.moved.arrays.at(kExpectedError).mean(), 1) +
             " mm over the surface");
+  if (liver.model != nullptr) {
+    const auto regions = expectationByRegion(liver.liver.surface, liver.moved.arrays.at(kScanGain));
+    if (!regions.empty())
+      run.say("more scanning would help most at " + regions.front().name + ": a patch of it lessens the " +
+              (liver.input.targets.points.empty() ? "expected error" : "expected error of the targets") +
+              " by about " + fixed(regions.front().meanMm, 2) + " mm");
+  }
   if (liver.targetError)
     run.say("target error: mean " + fixed(liver.targetError->meanMm, 2) + " mm, largest " +
             fixed(liver.targetError->maxMm, 2) + " mm; by the rigid registration alone " +

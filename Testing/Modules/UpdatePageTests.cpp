@@ -129,7 +129,8 @@ TEST_F(UpdatePageTest, RigidAndUpdatedStandInTheSameFrameAndTheSliderGoesBetween
 
 TEST_F(UpdatePageTest, EachChoiceOfColoursHasAnArrayALegendInMmAndAMeaning) {
   openUpdated();
-  for (const auto colours : {UpdateColours::Motion, UpdateColours::Residual, UpdateColours::ExpectedError}) {
+  for (const auto colours : {UpdateColours::Motion, UpdateColours::Residual, UpdateColours::ScanGain,
+                             UpdateColours::ExpectedError}) {
     chooseColours(colours);
     ASSERT_TRUE(options().updateColours);
     EXPECT_TRUE(options().liveDeformed->arrays.contains(options().updateColours->array));

@@ -51,6 +51,21 @@ TEST(ScanNext, AGainIsNoMoreThanThereIsToGain) {
   EXPECT_LT(scanGainMm(model(), update, place).maxCoeff(), expected - modelErrorMm(update) + 1e-9);
 }
 
+TEST(ScanNext, TheMapIsSmoothAndLiesBetweenTheGains) {
+  const UpdateResult update = updated();
+  const Points& centres = model().responses().centres;
+  const VectorXd gains = scanGainMm(model(), update, centres);
+  const VectorXd map = scanGainOnSurface(model(), update, centres, beanSurface().points);
+  ASSERT_EQ(map.size(), beanSurface().size());
+  EXPECT_GE(map.minCoeff(), gains.minCoeff() - 1e-12);
+  EXPECT_LE(map.maxCoeff(), gains.maxCoeff() + 1e-12);
+  // A mean over centres 20 mm apart, weighted over 10 mm: no step of more than a quarter over a millimetre.
+  Points beside = beanSurface().points;
+  beside.col(0).array() += 1;
+  const VectorXd moved = scanGainOnSurface(model(), update, centres, beside);
+  EXPECT_LT((moved - map).cwiseAbs().maxCoeff(), 0.25 * (gains.maxCoeff() - gains.minCoeff()));
+}
+
 TEST(ScanNext, WithoutPlacesThereIsNothingToGain) {
   EXPECT_THROW(scanGainMm(model(), updated(), Points(0, 3)), InputError);
 }
