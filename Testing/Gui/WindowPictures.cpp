@@ -104,7 +104,7 @@ void updatePictures(MainWindow& window, Workbench& bench, const std::function<vo
   waitIdle(bench);
   save("AtlasUpdate_updated");
   for (const auto& [colours, name] : std::vector<std::pair<int, QString>>{
-           {0, "plain"}, {1, "motion"}, {2, "residual"}, {3, "expected_error"}}) {
+           {0, "plain"}, {1, "motion"}, {2, "residual"}, {3, "expected_error"}, {4, "scan_next"}}) {
     take(window, "updateColours", colours);
     scrollTo(window, "confidence");
     save("AtlasUpdate_" + name);
