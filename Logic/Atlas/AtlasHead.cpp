@@ -8,7 +8,7 @@ namespace {
 
 nlohmann::json jsonOf(const Hdf5Reader& file, const char* name, const std::filesystem::path& path) {
   nlohmann::json json = nlohmann::json::parse(file.text(name), nullptr, false);
-  if (json.is_discarded()) refuseInconsistent(path, std::string(name) + " is no JSON");
+  if (!json.is_object()) refuseInconsistent(path, std::string(name) + " is no JSON object");
   return json;
 }
 
@@ -18,7 +18,8 @@ void refuseInconsistent(const std::filesystem::path& file, const std::string& wh
   throw InputError("'" + file.string() + "' is inconsistent: " + what + "; build the atlas anew");
 }
 
-void writeAtlasHead(Hdf5Writer& file, const AtlasDesign& design, const nlohmann::json& provenance) {
+void writeAtlasHead(Hdf5Writer& file, const AtlasDesign& design, const nlohmann::json& given) {
+  const nlohmann::json provenance = given.is_object() ? given : nlohmann::json::object();
   file.attribute("falciform_atlas_version", kAtlasFileVersion);
   file.attribute("program", provenance.value("program", "falciform") + " " + provenance.value("version", ""));
   file.attribute("created_utc", provenance.value("started_utc", ""));

@@ -147,6 +147,19 @@ TEST(AtlasFiles, ForeignFilesAreRefusedInOneLine) {
   EXPECT_THAT(refusalOf(folder / "other.h5"), HasSubstr("newer than this program reads"));
 }
 
+TEST(AtlasFiles, TextsThatAreNoObjectsAreRefusedInOneLine) {
+  const TemporaryFolder folder;
+  for (const std::string& text : {std::string("null"), std::string("[1]"), std::string("{")}) {
+    {
+      Hdf5Writer other(folder / "other.h5");
+      other.text("provenance_json", text);
+      other.close();
+    }
+    sealFile(folder / "other.h5", "falciform atlas", 1);
+    EXPECT_THAT(refusalOf(folder / "other.h5"), HasSubstr("provenance_json is no JSON object")) << text;
+  }
+}
+
 TEST(AtlasFiles, DamagedFilesAreRefusedInOneLineWhereverTheDamageIs) {
   const TemporaryFolder folder;
   writeAtlas(folder / "a.h5", smallAtlas(), kProvenance);
