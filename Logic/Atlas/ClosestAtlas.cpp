@@ -147,12 +147,9 @@ UpdateResult updateByClosestAtlas(const AtlasModel& model, const Surface& scan,
                                   const Isometry3d& scanFromPreopStart, const ClosestAtlasPlan& plan,
                                   const UpdateSettings& settings, std::uint64_t seed,
                                   const Progress& progress) {
-  checkSettings(settings);
-  const Stopwatch watch;
-  keepBlasSingleThreaded();
-  UpdateResult result = ClosestAtlasFit(model, scan, scanFromPreopStart, plan, settings, seed).run(progress);
-  result.seconds = watch.seconds();
-  return result;
+  return timedUpdate(settings, [&] {
+    return ClosestAtlasFit(model, scan, scanFromPreopStart, plan, settings, seed).run(progress);
+  });
 }
 
 }  // namespace falciform

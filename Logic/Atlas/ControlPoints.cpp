@@ -8,6 +8,7 @@
 #include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Biomechanics/StiffnessMatrix.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Core/Rotation.h"
 
 namespace falciform {
 namespace {
@@ -107,10 +108,7 @@ class ControlPointFit {
     const VectorXd change = solution.head(rank) - coefficients_;
     coefficients_ = solution.head(rank);
     const Vector3d turn = solution.segment<3>(rank), shift = solution.tail<3>();
-    Isometry3d motion = Isometry3d::Identity();
-    if (const double angle = turn.norm(); angle > 0)
-      motion.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-    motion.translation() = centre + shift - motion.linear() * centre;
+    const Isometry3d motion = motionAbout(centre, turn, shift);
     pose_ = motion * pose_;
     const Points before = placesOf(matches_, search_.points()), scan = transformed(posed_, motion);
     search_.moveTo(model_.movedPoints(coefficients_));
@@ -168,12 +166,9 @@ UpdateResult updateByControlPoints(const AtlasModel& model, const Surface& scan,
                                    const Isometry3d& scanFromPreopStart, const ControlPointPlan& plan,
                                    const UpdateSettings& settings, std::uint64_t seed,
                                    const Progress& progress) {
-  checkSettings(settings);
-  const Stopwatch watch;
-  keepBlasSingleThreaded();
-  UpdateResult result = ControlPointFit(model, scan, scanFromPreopStart, plan, settings, seed).run(progress);
-  result.seconds = watch.seconds();
-  return result;
+  return timedUpdate(settings, [&] {
+    return ControlPointFit(model, scan, scanFromPreopStart, plan, settings, seed).run(progress);
+  });
 }
 
 }  // namespace falciform

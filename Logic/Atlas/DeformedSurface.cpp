@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "Logic/Core/Parallel.h"
+#include "Logic/Core/Rotation.h"
 #include "Logic/Geometry/TrianglePlaces.h"
 
 namespace falciform {

@@ -6,6 +6,7 @@
 #include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Core/Rotation.h"
 
 namespace falciform {
 namespace {
@@ -63,6 +64,13 @@ VectorXd expectedErrorMm(const UpdateModel& model, const UpdateResult& update, c
           std::hypot(kPosteriorScale * std::sqrt(std::max(0.0, variances.segment<3>(3 * i).sum())), ofModel);
   }
   return errors;
+}
+
+VectorXd expectedErrorOnSurface(const UpdateModel& model, const UpdateResult& update,
+                                const Points& surfaceMm) {
+  const TetrahedralMesh& mesh = model.responses().mesh;
+  const VectorXd nodes = expectedErrorMm(model, update, mesh.points);
+  return MeshPlaces(mesh, surfaceMm).interpolate(nodes).col(0).cwiseMax(0);
 }
 
 }  // namespace falciform

@@ -14,6 +14,14 @@ inline constexpr double kNineInTen = 2.2;
 [[nodiscard]] VectorXd expectedErrorMm(const UpdateModel& model, const UpdateResult& update,
                                        const Points& preopMm);
 
+/// Array on surfaces: expectedErrorOnSurface.
+inline constexpr char kExpectedError[] = "expected_error_mm";
+
+/// The same at a pre-op surface's points (N x 3 mm in, N out), carried there from the mesh's nodes, of which
+/// there are fewer.
+[[nodiscard]] VectorXd expectedErrorOnSurface(const UpdateModel& model, const UpdateResult& update,
+                                              const Points& surfaceMm);
+
 /// How each place moves with the unknowns that `update.covariance` is about: (loads + 6) x 3 K, columns x, y,
 /// z of each place. Its variance is that of where the place is beside the scan.
 [[nodiscard]] Eigen::MatrixXd posteriorRows(const UpdateModel& model, const UpdateResult& update,

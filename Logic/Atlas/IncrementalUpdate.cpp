@@ -155,15 +155,9 @@ Draw drawOf(const IncrementalModel& model, const KdTree& nodes, const std::vecto
   return draw;
 }
 
-}  // namespace
-
-UpdateResult updateIncrementally(const IncrementalModel& model, const Surface& scan,
-                                 const Isometry3d& scanFromPreopStart, const IncrementalPlan& plan,
-                                 const UpdateSettings& settings, std::uint64_t seed,
-                                 const Progress& progress) {
-  checkSettings(settings);
-  const Stopwatch watch;
-  keepBlasSingleThreaded();
+UpdateResult increments(const IncrementalModel& model, const Surface& scan,
+                        const Isometry3d& scanFromPreopStart, const IncrementalPlan& plan,
+                        const UpdateSettings& settings, std::uint64_t seed, const Progress& progress) {
   UpdateResult result;
   const ScanChoice chosen = chooseScanPoints(scan, settings.samplePoints, seed);
   Isometry3d pose = scanFromPreopStart.inverse();
@@ -194,8 +188,17 @@ UpdateResult updateIncrementally(const IncrementalModel& model, const Surface& s
   result.rmsMm = std::sqrt((places - posed).squaredNorm() / static_cast<double>(posed.rows()));
   result.scanFromPreop = pose.inverse();
   describeDeformation(model.mesh(), result);
-  result.seconds = watch.seconds();
   return result;
+}
+
+}  // namespace
+
+UpdateResult updateIncrementally(const IncrementalModel& model, const Surface& scan,
+                                 const Isometry3d& scanFromPreopStart, const IncrementalPlan& plan,
+                                 const UpdateSettings& settings, std::uint64_t seed,
+                                 const Progress& progress) {
+  return timedUpdate(
+      settings, [&] { return increments(model, scan, scanFromPreopStart, plan, settings, seed, progress); });
 }
 
 }  // namespace falciform

@@ -4,16 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 #include "Logic/Atlas/MethodResult.h"
 #include "Logic/Biomechanics/DenseAlgebra.h"
-#include "Logic/Core/Draws.h"
-#include "Logic/Core/Errors.h"
 #include "Logic/Core/Median.h"
 #include "Logic/Core/Parallel.h"
-#include "Logic/Geometry/Measures.h"
-#include "Logic/Registration/ScanSample.h"
+#include "Logic/Core/Rotation.h"
 
 namespace falciform {
 namespace {
@@ -42,29 +38,11 @@ ModelFit::ModelFit(const UpdateModel& model, const Surface& scan, const Isometry
     : model_(model),
       settings_(settings),
       pose_(scanFromPreopStart.inverse()),
+      scan_(chooseScanPoints(scan, settings.samplePoints, seed)),
       samples_(std::min(settings.effectiveSamples, kFirstSamples)),
       surface_(model, settings) {
-  choosePoints(scan, seed);
   coefficients_ = VectorXd::Zero(model.responses().loads());
   strength_ = VectorXd::Ones(model.responses().centres.rows());
-}
-
-void ModelFit::choosePoints(const Surface& scan, std::uint64_t seed) {
-  checkSurface(scan, "the scan");
-  std::vector<int> rows(static_cast<std::size_t>(scan.size()));
-  std::iota(rows.begin(), rows.end(), 0);
-  Draws draws(seed);
-  for (std::size_t i = rows.size(); i > 1; --i)
-    std::swap(rows[i - 1], rows[static_cast<std::size_t>(draws.uniform() * static_cast<double>(i))]);
-  rows.resize(std::min(rows.size(), static_cast<std::size_t>(4 * settings_.samplePoints)));
-  rows = withoutStragglers(scan.points, KdTree(scan.points), rows);
-  if (rows.size() < 10)
-    throw InputError("the scan has " + std::to_string(rows.size()) +
-                     " usable points; a model update needs at least 10");
-  crowd_ = scan.points(rows, Eigen::all);
-  rows.resize(std::min(rows.size(), static_cast<std::size_t>(settings_.samplePoints)));
-  points_ = scan.points(rows, Eigen::all);
-  for (const int row : rows) labels_.push_back(scan.patchAt(row));
 }
 
 /// Coefficient of each load at a whitened value of 1 and a prior bending of 1 mm RMS.
@@ -78,7 +56,7 @@ VectorXd ModelFit::perLoad() const {
 /// many points around them as a quarter of what scan points themselves have around them, so that strewn
 /// outliers do not count.
 void ModelFit::look(double reachMm) {
-  const Points posed = transformed(crowd_, pose_);
+  const Points posed = transformed(scan_.crowd, pose_);
   const KdTree tree(posed);
   surface_.choose(coefficients_, tree, reachMm);
   std::vector<double> usual;
@@ -95,7 +73,7 @@ void ModelFit::look(double reachMm) {
 }
 
 Vector3d ModelFit::posed(std::size_t j) const {
-  return pose_ * Vector3d(points_.row(static_cast<Index>(j)).transpose());
+  return pose_ * Vector3d(scan_.points.row(static_cast<Index>(j)).transpose());
 }
 
 void ModelFit::correspond(std::size_t count) {
@@ -138,7 +116,7 @@ void ModelFit::learnSamples() {
   for (const auto& [cell, residual] : cells) together += squared(residual);
   const double n = static_cast<double>(found_.size());
   const double correlation = std::max(0.0, (together / own - 1) / n);
-  const double learnt = 1 / (1 / static_cast<double>(points_.rows()) + correlation);
+  const double learnt = 1 / (1 / static_cast<double>(scan_.points.rows()) + correlation);
   samples_ = std::sqrt(
       samples_ * std::clamp(learnt, kFewestSamples, std::max(kFewestSamples, settings_.effectiveSamples)));
 }
@@ -186,7 +164,8 @@ double ModelFit::step(std::size_t count) {
   if (rmsMm_ > 0) noiseMm_ = std::max(settings_.noiseFloorMm, rmsMm_);
   const Index size = model_.responses().loads() + 6;
   const double perPoint = std::sqrt(samples_ / static_cast<double>(count)) / noiseMm_;
-  Vector3d centre = pose_ * Vector3d(points_.topRows(static_cast<Index>(count)).colwise().mean().transpose());
+  Vector3d centre =
+      pose_ * Vector3d(scan_.points.topRows(static_cast<Index>(count)).colwise().mean().transpose());
   Eigen::MatrixXd rows(size + 1, static_cast<Index>(count));
   forEachChunk(count, 32, [&](std::size_t first, std::size_t last) {
     for (std::size_t j = first; j < last; ++j)
@@ -215,7 +194,7 @@ void ModelFit::addPatches(std::size_t count, const Vector3d& centre, double weig
     std::vector<Pull> pulls;
     std::vector<double> distances;
     for (std::size_t j = 0; j < count; ++j) {
-      if (labels_[j] != label) continue;
+      if (scan_.labels[j] != label) continue;
       const Vector3d y = posed(j);
       Pull pull{j, surface_.closestOfPatch(patch, y), Vector3d::Zero(), 0};
       const Vector3d across = y - pull.border.point;
@@ -263,10 +242,7 @@ double ModelFit::solve(const Vector3d& centre) {
   const Vector3d turn = relax_ * solution.col(0).segment<3>(loads),
                  shift = relax_ * solution.col(0).tail<3>();
   learn(covariance_, whitened);
-  const double angle = turn.norm();
-  Isometry3d motion = Isometry3d::Identity();
-  if (angle > 0) motion.linear() = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-  motion.translation() = centre + shift - motion.linear() * centre;
+  const Isometry3d motion = motionAbout(centre, turn, shift);
   pose_ = motion * pose_;
   // What changed, at the vertices that stand for the scan: the field's change and the pose's together.
   double sum = 0;
@@ -325,7 +301,7 @@ void ModelFit::finish(UpdateResult& result) const {
 }
 
 UpdateResult ModelFit::run(const Progress& progress, const UpdateObserver& observer) {
-  const std::size_t all = static_cast<std::size_t>(points_.rows());
+  const std::size_t all = static_cast<std::size_t>(scan_.points.rows());
   std::size_t count = std::min<std::size_t>(all, kCoarsePoints);
   UpdateResult result;
   result.stopReason = "the largest number of iterations was reached";

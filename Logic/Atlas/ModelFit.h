@@ -4,6 +4,7 @@
 
 #include "Logic/Atlas/DeformedSurface.h"
 #include "Logic/Atlas/ModelUpdate.h"
+#include "Logic/Atlas/ScanChoice.h"
 #include "Logic/Geometry/KdTree.h"
 
 namespace falciform {
@@ -22,7 +23,6 @@ class ModelFit {
     double residual = 0;  ///< along at.normal, mm
   };
 
-  void choosePoints(const Surface& scan, std::uint64_t seed);
   void look(double reachMm);
   void correspond(std::size_t count);
   double step(std::size_t count);
@@ -41,9 +41,7 @@ class ModelFit {
   const UpdateModel& model_;
   const UpdateSettings& settings_;
   Isometry3d pose_;  ///< pre-op from scan
-  Points points_;    ///< of the scan, its frame, in random order
-  Points crowd_;     ///< more of them, for what is seen
-  std::vector<int> labels_;
+  ScanChoice scan_;  ///< in random order
   VectorXd coefficients_;
   VectorXd seen_;            ///< 1 or the share, for each load
   VectorXd strength_;        ///< of each centre's loads beside the others, as learnt

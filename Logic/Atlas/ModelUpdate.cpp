@@ -1,11 +1,7 @@
 #include "Logic/Atlas/ModelUpdate.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-
+#include "Logic/Atlas/MethodResult.h"
 #include "Logic/Atlas/ModelFit.h"
-#include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Subdivision.h"
 
@@ -30,12 +26,9 @@ UpdateModel::UpdateModel(const Surface& preop, LoadResponses responses)
 UpdateResult updateModel(const UpdateModel& model, const Surface& scan, const Isometry3d& scanFromPreopStart,
                          const UpdateSettings& settings, std::uint64_t seed, const Progress& progress,
                          const UpdateObserver& observer) {
-  checkSettings(settings);
-  const auto began = std::chrono::steady_clock::now();
-  keepBlasSingleThreaded();
-  UpdateResult result = ModelFit(model, scan, scanFromPreopStart, settings, seed).run(progress, observer);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
-  return result;
+  return timedUpdate(settings, [&] {
+    return ModelFit(model, scan, scanFromPreopStart, settings, seed).run(progress, observer);
+  });
 }
 
 Points scanFromPreop(const UpdateModel& model, const UpdateResult& update, const Points& preopMm) {

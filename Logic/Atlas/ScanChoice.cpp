@@ -22,8 +22,9 @@ ScanChoice chooseScanPoints(const Surface& scan, int count, std::uint64_t seed) 
   if (rows.size() < 10)
     throw InputError("the scan has " + std::to_string(rows.size()) +
                      " usable points; a model update needs at least 10");
-  rows.resize(std::min(rows.size(), static_cast<std::size_t>(count)));
   ScanChoice choice;
+  choice.crowd = scan.points(rows, Eigen::all);
+  rows.resize(std::min(rows.size(), static_cast<std::size_t>(count)));
   choice.points = scan.points(rows, Eigen::all);
   for (const int row : rows) choice.labels.push_back(scan.patchAt(row));
   return choice;

@@ -10,6 +10,7 @@ namespace falciform {
 struct ScanChoice {
   Points points;            ///< K x 3, scan mm
   std::vector<int> labels;  ///< K patch labels
+  Points crowd;             ///< up to 4 K x 3, the chosen ones first: enough to tell what is seen
 };
 
 /// At most `count` points, drawn at random by `seed`, without stragglers (smoke, threads, strewn noise): the

@@ -8,6 +8,7 @@
 #include "Logic/Biomechanics/DenseAlgebra.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Core/Rotation.h"
 #include "Logic/Geometry/Measures.h"
 
 namespace falciform {

@@ -18,12 +18,6 @@ Surface withPoints(const Surface& surface, const Points& points, const std::stri
   return moved;
 }
 
-/// Expected errors of the mesh's nodes carried to the surface: there are thrice as many surface points.
-VectorXd surfaceExpectation(const UpdateModel& model, const UpdateResult& update) {
-  const VectorXd nodes = expectedErrorMm(model, update, model.responses().mesh.points);
-  return MeshPlaces(model.responses().mesh, model.preop().points).interpolate(nodes).col(0).cwiseMax(0);
-}
-
 std::vector<UpdatedTarget> listTargets(const CasePlaces& places) {
   std::vector<UpdatedTarget> list;
   for (const Landmark& target : places.targets.points) {
@@ -79,7 +73,7 @@ UpdatedCase moveCase(const CasePlaces& places, std::shared_ptr<const UpdateModel
   surface->arrays[kDisplacement] = (now - transformed(before, made.update.scanFromPreop)).rowwise().norm();
   surface->arrays[kAgainstRigid] = (now - transformed(before, rigid)).rowwise().norm();
   progress.report(0.2, "Expected error");
-  surface->arrays[kExpectedError] = surfaceExpectation(*made.model, made.update);
+  surface->arrays[kExpectedError] = expectedErrorOnSurface(*made.model, made.update, before);
   made.expectedErrorMeanMm = surface->arrays[kExpectedError].mean();
   made.surface = surface;
 

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Atlas/ModelUpdate.h"
 #include "Logic/Core/Case.h"
 
 namespace falciform {
 
 /// Arrays on UpdatedCase::surface, mm.
-inline constexpr char kExpectedError[] = "expected_error_mm";
 /// How far a place lies from where the rigid registration puts it.
 inline constexpr char kAgainstRigid[] = "against_rigid_mm";
 

@@ -79,10 +79,4 @@ CornerWarp::Change CornerWarp::apply(const Points& linear) const {
   return change;
 }
 
-Matrix3d rotationOf(const Vector3d& turn) {
-  const double angle = turn.norm();
-  return angle > 0 ? Matrix3d(Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix())
-                   : Matrix3d(Matrix3d::Identity());
-}
-
 }  // namespace falciform

@@ -31,7 +31,4 @@ class CornerWarp {
   std::vector<int> corners_;
 };
 
-/// The rotation by a rotation vector (angle times axis, radians).
-[[nodiscard]] Matrix3d rotationOf(const Vector3d& turn);
-
 }  // namespace falciform

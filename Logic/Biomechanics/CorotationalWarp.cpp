@@ -9,6 +9,7 @@
 #include "Logic/Biomechanics/StiffnessMatrix.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Core/Rotation.h"
 
 namespace falciform {
 namespace {
@@ -21,10 +22,7 @@ Matrix3d turnedGradient(const Matrix3d& gradient) {
   const Vector3d turn = Vector3d(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0),
                                  gradient(1, 0) - gradient(0, 1)) /
                         2;
-  const double angle = turn.norm();
-  const Matrix3d rotation = angle > 0 ? Matrix3d(Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix())
-                                      : Matrix3d(Matrix3d::Identity());
-  return rotation * (Matrix3d::Identity() + strain);
+  return rotationOf(turn) * (Matrix3d::Identity() + strain);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::string figureTable(const CaseUpdate& update) {
 std::string cell(const std::optional<double>& value) { return value ? fixed(*value, 1) : "-"; }
 
 std::string targetTable(const CaseUpdate& update) {
-  const std::vector<TargetRow> rows = targetRows(*update.updated);
+  const std::vector<TargetRow>& rows = update.updated->targets;
   if (rows.empty()) return "";
   const bool truth = update.updated->targetError.has_value();
   std::vector<std::string> head{"Target", "Moved against the registration (mm)", "Expected error (mm)"};

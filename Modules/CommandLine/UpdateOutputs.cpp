@@ -1,6 +1,5 @@
 #include "Modules/CommandLine/UpdateOutputs.h"
 
-#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Atlas/ScanNext.h"
 #include "Logic/Atlas/UpdateConfidence.h"
 #include "Logic/Atlas/UpdatedPlaces.h"
@@ -28,14 +27,6 @@ falciform::Surface movedSurface(const UpdatedLiver& liver, falciform::Surface su
   surface.normals.resize(0, 3);
   surface.frame = liver.input.scan.frame;
   return surface;
-}
-
-/// Expected errors of the mesh's nodes carried to the surface: there are thrice as many surface points as
-/// nodes.
-VectorXd surfaceExpectation(const UpdatedLiver& liver) {
-  const TetrahedralMesh& mesh = liver.liver.mesh;
-  const VectorXd nodes = expectedErrorMm(*liver.model, liver.update, mesh.points);
-  return MeshPlaces(mesh, liver.liver.surface.points).interpolate(nodes).col(0).cwiseMax(0);
 }
 
 falciform::Points targetPlaces(const Landmarks& targets) {
@@ -69,14 +60,15 @@ std::optional<TargetError> targetErrorOf(const UpdatedLiver& liver) {
 
 UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input, const RegistrationResult& rigid,
                           const UpdateResult& update, const UpdateModel* model) {
-  UpdatedLiver updated{liver, input, rigid, update, model, {}, {}};
+  UpdatedLiver updated{liver, input, rigid, update, model, {}, {}, {}};
   updated.moved = movedSurface(updated, liver.surface);
   if (model != nullptr) {
-    updated.moved.arrays[kExpectedError] = surfaceExpectation(updated);
+    updated.moved.arrays[kExpectedError] = expectedErrorOnSurface(*model, update, liver.surface.points);
     updated.moved.arrays[kScanGain] =
         scanGainOnSurface(*model, update, targetPlaces(input.targets), liver.surface.points);
   }
   updated.targetError = targetErrorOf(updated);
+  updated.targets = targetRows(updated);
   return updated;
 }
 
@@ -116,8 +108,7 @@ void writeUpdate(const UpdatedLiver& liver, const fs::path& folder, CommandRun& 
   if (!liver.input.targets.points.empty())
     writeTargets(liver, run.outputs.staged(folder / "targets_updated.mrk.json"));
   if (!liver.input.targets.points.empty() || !liver.input.structures.empty())
-    writeTextFile(run.outputs.staged(folder / kTargetTable), Overwrite::Replace,
-                  targetsCsv(targetRows(liver)));
+    writeTextFile(run.outputs.staged(folder / kTargetTable), Overwrite::Replace, targetsCsv(liver.targets));
   run.frames["updated.vtp"] = "the pre-op surface where it is now, in the scan's frame, mm";
   run.frames["scan_from_preop"] = kScanFromPreopInWords;
 }
@@ -138,7 +129,7 @@ nlohmann::json updateFigures(const UpdatedLiver& liver) {
     figures["expected_error_mean_mm"] = liver.moved.arrays.at(kExpectedError).mean();
   if (liver.rigid.expectedErrorMeanMm > 0)
     figures["registered_expected_error_mean_mm"] = liver.rigid.expectedErrorMeanMm;
-  if (const std::vector<TargetRow> rows = targetRows(liver); !rows.empty()) figures["targets"] = toJson(rows);
+  if (!liver.targets.empty()) figures["targets"] = toJson(liver.targets);
   if (liver.targetError) {
     figures["target_error"] = toJson(*liver.targetError);
     figures["target_error_mean_mm"] = liver.targetError->meanMm;

@@ -3,11 +3,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "Logic/Atlas/ExpectedError.h"
 #include "Logic/Atlas/ModelUpdate.h"
 #include "Logic/Core/Results.h"
 #include "Modules/CommandLine/LiverInput.h"
 #include "Modules/CommandLine/TargetError.h"
 #include "Modules/CommandLine/UpdateInput.h"
+#include "Modules/CommandLine/UpdateTargets.h"
 
 namespace falciform::commandline {
 
@@ -21,10 +23,10 @@ struct UpdatedLiver {
   falciform::Surface moved;  ///< the pre-op surface where it is now, with kDisplacement and, where there is a
                              ///< model, kExpectedError
   std::optional<TargetError> targetError;  ///< where the truth is known
+  std::vector<TargetRow> targets;          ///< targetRows of all the rest
 };
 
 inline constexpr char kTargetTable[] = "targets_updated.csv";
-inline constexpr char kExpectedError[] = "expected_error_mm";
 
 /// Moves the surface and works out its expected error.
 [[nodiscard]] UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input,

@@ -4,6 +4,7 @@
 #include "Logic/Atlas/UpdatedPlaces.h"
 #include "Logic/Core/LandmarkPairs.h"
 #include "Modules/CommandLine/Figures.h"
+#include "Modules/CommandLine/UpdateOutputs.h"
 
 namespace falciform::commandline {
 

@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "Modules/CommandLine/UpdateOutputs.h"
+#include "Logic/Core/Types.h"
 
 namespace falciform::commandline {
+
+struct UpdatedLiver;
 
 /// A place inside the liver: where it was, and where registration and update say it is now.
 struct TargetRow {

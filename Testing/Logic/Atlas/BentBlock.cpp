@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "Logic/Biomechanics/QuadraticMesh.h"
+#include "Logic/Core/Draws.h"
 #include "Testing/Support/BlockMesh.h"
 
 namespace falciform::test {
@@ -19,6 +20,15 @@ BentBlock bentBlock(bool quadratic, double largestMm) {
   for (Index n = 0; n < made.mesh.nodes(); ++n)
     made.displacements.row(n) = bending(made.mesh.points.row(n).transpose(), largestMm).transpose();
   return made;
+}
+
+Points placesAroundBlock(int count, double beyondMm, unsigned seed) {
+  Draws draws(seed);
+  Points places(count, 3);
+  const Vector3d size(120, 80, 50);
+  for (Index i = 0; i < count; ++i)
+    for (int a = 0; a < 3; ++a) places(i, a) = -beyondMm + (size[a] + 2 * beyondMm) * draws.uniform();
+  return places;
 }
 
 }  // namespace falciform::test

@@ -15,4 +15,7 @@ struct BentBlock {
 /// The closed form that the nodes follow: elements follow it up to their own shape functions.
 [[nodiscard]] Vector3d bending(const Vector3d& place, double largestMm = 12);
 
+/// `count` places drawn evenly from the block at rest, grown by `beyondMm` on all sides.
+[[nodiscard]] Points placesAroundBlock(int count, double beyondMm, unsigned seed);
+
 }  // namespace falciform::test

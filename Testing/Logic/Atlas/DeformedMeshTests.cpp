@@ -12,19 +12,10 @@ namespace {
 class DeformedMeshOf : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(LinearAndQuadratic, DeformedMeshOf, testing::Bool());
 
-Points placesInBlock(int count, double beyondMm, unsigned seed) {
-  Draws draws(seed);
-  Points places(count, 3);
-  const Vector3d size(120, 80, 50);
-  for (Index i = 0; i < count; ++i)
-    for (int a = 0; a < 3; ++a) places(i, a) = -beyondMm + (size[a] + 2 * beyondMm) * draws.uniform();
-  return places;
-}
-
 TEST_P(DeformedMeshOf, TissueIsFoundWhereItsShapeFunctionsPutIt) {
   const BentBlock block = bentBlock(GetParam());
   const DeformedMesh deformed(block.mesh, block.displacements);
-  const Points before = placesInBlock(3000, 0, 1);
+  const Points before = placesAroundBlock(3000, 0, 1);
   // The way there by other code: MeshPlaces' weights.
   const MeshPlaces places(block.mesh, before);
   const Points now = before + Points(places.interpolate(block.displacements));
@@ -40,7 +31,7 @@ TEST_P(DeformedMeshOf, TissueIsFoundWhereItsShapeFunctionsPutIt) {
 TEST_P(DeformedMeshOf, AGuessChangesNothing) {
   const BentBlock block = bentBlock(GetParam());
   const DeformedMesh deformed(block.mesh, block.displacements);
-  const Points places = placesInBlock(400, 10, 2);
+  const Points places = placesAroundBlock(400, 10, 2);
   for (Index i = 0; i < places.rows(); ++i) {
     const Vector3d now = places.row(i).transpose();
     const auto plain = deformed.find(now),
@@ -59,7 +50,7 @@ TEST_P(DeformedMeshOf, AnAffineMotionIsUndoneByItsInverse) {
   block.displacements = (block.mesh.points * a.transpose()).rowwise() + shift.transpose() - block.mesh.points;
   const DeformedMesh deformed(block.mesh, block.displacements);
   int inside = 0;
-  const Points before = placesInBlock(500, 20, 3);
+  const Points before = placesAroundBlock(500, 20, 3);
   for (Index i = 0; i < before.rows(); ++i) {
     const Vector3d place = before.row(i).transpose();
     const bool in = (place.array() > 0).all() && (place.array() < Eigen::Array3d(120, 80, 50)).all();

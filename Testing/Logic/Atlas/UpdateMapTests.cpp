@@ -12,15 +12,6 @@ namespace {
 class UpdateMapOf : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(LinearAndQuadratic, UpdateMapOf, testing::Bool());
 
-Points placesAround(int count, double beyondMm, unsigned seed) {
-  Draws draws(seed);
-  Points places(count, 3);
-  const Vector3d size(120, 80, 50);
-  for (Index i = 0; i < count; ++i)
-    for (int a = 0; a < 3; ++a) places(i, a) = -beyondMm + (size[a] + 2 * beyondMm) * draws.uniform();
-  return places;
-}
-
 bool inBlock(const Vector3d& place) {
   return (place.array() > 0).all() && (place.array() < Eigen::Array3d(120, 80, 50)).all();
 }
@@ -28,7 +19,7 @@ bool inBlock(const Vector3d& place) {
 TEST_P(UpdateMapOf, ThereAndBackIsExactInsideAndOutside) {
   const BentBlock block = bentBlock(GetParam());
   const UpdateMap map(block.mesh, block.displacements, randomMotion(5));
-  const Points preop = placesAround(4000, 50, 1);
+  const Points preop = placesAroundBlock(4000, 50, 1);
   const std::vector<PreopPlace> back = map.preopFromScan(map.scanFromPreop(preop));
   int inside = 0;
   for (Index i = 0; i < preop.rows(); ++i) {
@@ -66,7 +57,7 @@ TEST_P(UpdateMapOf, TheContinuationJoinsTheMeshWithoutAStepOrAKink) {
 TEST_P(UpdateMapOf, SpaceIsNowhereTurnedInsideOut) {
   const BentBlock block = bentBlock(GetParam(), 20);
   const UpdateMap map(block.mesh, block.displacements, Isometry3d::Identity());
-  const Points places = placesAround(4000, 60, 3);
+  const Points places = placesAroundBlock(4000, 60, 3);
   const double step = 1e-4;
   for (Index i = 0; i < places.rows(); ++i) {
     const Vector3d place = places.row(i).transpose();
@@ -99,14 +90,14 @@ TEST(UpdateMap, WithoutBendingItIsTheRigidMotion) {
   const BentBlock block = bentBlock(true, 0);
   const Isometry3d motion = randomMotion(8);
   const UpdateMap map(block.mesh, block.displacements, motion);
-  const Points preop = placesAround(200, 60, 4);
+  const Points preop = placesAroundBlock(200, 60, 4);
   // mm: rounding of products of 200 mm.
   EXPECT_LT((map.scanFromPreop(preop) - transformed(preop, motion)).cwiseAbs().maxCoeff(), 1e-10);
 }
 
 TEST(UpdateMap, SameBitsForAnyNumberOfThreads) {
   const BentBlock block = bentBlock(true);
-  const Points preop = placesAround(600, 50, 5);
+  const Points preop = placesAroundBlock(600, 50, 5);
   std::vector<Points> there;
   std::vector<std::vector<PreopPlace>> back;
   for (const int count : {1, 3}) {

@@ -3,6 +3,7 @@
 #include "Logic/Biomechanics/CornerWarp.h"
 #include "Logic/Biomechanics/CorotationalWarp.h"
 #include "Logic/Biomechanics/QuadraticMesh.h"
+#include "Logic/Core/Rotation.h"
 #include "Testing/Support/BlockMesh.h"
 
 namespace falciform::test {
