@@ -63,24 +63,45 @@ struct RegistrationResult {
   double seconds = 0;
 };
 
-/// Mean, spread and range of a set of distances. All mm; NaN when there is no value.
+/// Mean, spread and range of a set of values, in their unit: mm of distances, 1/mm of curvature differences.
+/// NaN when there is no value.
 struct DistanceStatistics {
   Index count = 0;  ///< covered values
   double mean = 0, sd = 0, median = 0, p95Absolute = 0, min = 0, max = 0, rms = 0, meanAbsolute = 0;
 };
 
+/// What was measured on a region of one surface: on all of it, on a patch, or on a Couinaud segment. Places
+/// that are not covered count in `areaMm2` and in nothing else.
+struct RegionFigures {
+  enum class Kind { All, Patch, Segment };
+  Kind kind = Kind::All;
+  int label = 0;        ///< of the patch or segment
+  std::string name;     ///< "all", "falciform", "segment IV"
+  double areaMm2 = 0;   ///< NaN of a cloud, which has none
+  double coverage = 0;  ///< covered share of the area, or of a cloud's points, in [0, 1]; NaN of no points
+  DistanceStatistics distance;             ///< mm
+  DistanceStatistics curvatureDifference;  ///< 1/mm; of no values where it was not measured
+
+  [[nodiscard]] double coveredAreaMm2() const { return areaMm2 > 0 ? areaMm2 * coverage : areaMm2; }
+};
+
 /// Signed distance between the two surfaces, on both sides: positive where the intra-operative surface lies
 /// outside the pre-operative one; NaN where the scan does not reach. Array name on both:
-/// `signed_distance_mm`.
+/// `signed_distance_mm`. Beside it `curvature_difference_per_mm`: mean curvature of the intra-operative
+/// surface less that of the pre-operative one, positive where it has become more convex.
 struct DistanceMap {
   Surface preop;  ///< pre-op surface moved into the scan's frame, with the array
   Surface scan;   ///< scan with the array
   DistanceStatistics preopAll, scanAll;
   std::map<int, DistanceStatistics> preopByPatch, scanByPatch;  ///< by label
+  std::vector<RegionFigures> preopRegions, scanRegions;  ///< all, then patches, then segments, by label
   double coverage = 0;  ///< covered share of the pre-op surface's area, in [0, 1]
 };
 
 inline constexpr char kSignedDistance[] = "signed_distance_mm";
+inline constexpr char kCurvatureDifference[] = "curvature_difference_per_mm";
+/// Couinaud segment of each point, 1 to 8; 0 or NaN: none.
+inline constexpr char kCouinaudSegment[] = "couinaud_segment";
 /// How far a point has moved, on a deformed surface.
 inline constexpr char kDisplacement[] = "displacement_mm";
 
