@@ -29,7 +29,7 @@ Format formatOf(const std::filesystem::path& file) {
 
 [[noreturn]] void refuseExtension(const std::filesystem::path& file) {
   refuseVolume(file, "no volume format has the extension " + inQuotes(file.extension().string()) +
-                         "; use .nii, .nii.gz, .nrrd, .seg.nrrd, .nhdr, .mha or .mhd");
+                         "; use .nii, .nii.gz, .nrrd, .seg.nrrd, .nhdr, .mha, .mhd or a DICOM folder");
 }
 
 VolumeLayout readLayout(const std::filesystem::path& file) {
@@ -114,10 +114,27 @@ void writeVolume(const std::filesystem::path& file, const Volume<T>& volume, Ove
 
 }  // namespace
 
-Loaded<LabelMap> readLabelMap(const std::filesystem::path& file) { return readLabels(readLayout(file)); }
-Loaded<Image> readImage(const std::filesystem::path& file) { return readIntensities(readLayout(file)); }
+Loaded<NamedLabels> readNamedLabels(const std::filesystem::path& file, const std::string& series,
+                                    const Progress& progress) {
+  if (formatOf(file) == Format::None && isDicom(file))
+    return readChosenLabels(listDicom(file, progress.part(0, 0.2)), series, progress.part(0.2, 1));
+  Loaded<LabelMap> labels = readLabels(readLayout(file));
+  return {{std::move(labels.value), readLabelNames(file)}, std::move(labels.warnings)};
+}
+
+Loaded<LabelMap> readLabelMap(const std::filesystem::path& file, const std::string& series) {
+  Loaded<NamedLabels> named = readNamedLabels(file, series);
+  return {std::move(named.value.map), std::move(named.warnings)};
+}
+
+Loaded<Image> readImage(const std::filesystem::path& file, const std::string& series) {
+  if (formatOf(file) == Format::None && isDicom(file))
+    return readDicomImage(chooseSeries(listDicom(file), series));
+  return readIntensities(readLayout(file));
+}
 
 std::map<int, std::string> readLabelNames(const std::filesystem::path& file) {
+  if (formatOf(file) == Format::None && isDicom(file)) return readNamedLabels(file).value.names;
   return formatOf(file) == Format::SegNrrd ? readNrrdSegmentNames(file) : std::map<int, std::string>{};
 }
 
@@ -129,5 +146,6 @@ void writeImage(const std::filesystem::path& file, const Image& volume, Overwrit
 }
 
 bool isVolumeFile(const std::filesystem::path& file) { return formatOf(file) != Format::None; }
+bool isVolume(const std::filesystem::path& path) { return isVolumeFile(path) || isDicom(path); }
 
 }  // namespace falciform

@@ -3,23 +3,31 @@
 #include <map>
 #include <string>
 
+#include "Logic/Core/Progress.h"
 #include "Logic/Core/Volume.h"
+#include "Logic/IO/DicomSeries.h"
 #include "Logic/IO/Loaded.h"
 #include "Logic/IO/OutputFile.h"
 
 namespace falciform {
 
-/// Reads a label map: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr, .seg.nrrd), MetaImage (.mha, .mhd). Any
-/// stored number type whose values are whole numbers in 0..65535. Geometry (oblique, anisotropic,
-/// left-handed, permuted) into LPS mm; units in the header honoured (NIfTI metres and micrometres, NRRD space
-/// units). Warns where the header leaves the frame open or the extent looks like metres. Throws InputError
-/// for missing, truncated or damaged files, time series, unknown types.
-[[nodiscard]] Loaded<LabelMap> readLabelMap(const std::filesystem::path& file);
+/// Reads a label map: NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr, .seg.nrrd), MetaImage (.mha, .mhd), or a
+/// DICOM folder or file (DicomSeries.h). Any stored number type whose values are whole numbers in 0..65535.
+/// Geometry (oblique, anisotropic, left-handed, permuted) into LPS mm; units in the header honoured (NIfTI
+/// metres and micrometres, NRRD space units). Warns where the header leaves the frame open or the extent
+/// looks like metres. `series` chooses among several DICOM series, by number or code (chooseSeries); other
+/// files ignore it. Throws InputError for missing, truncated or damaged files, time series, unknown types.
+[[nodiscard]] Loaded<LabelMap> readLabelMap(const std::filesystem::path& file,
+                                            const std::string& series = {});
 /// The same for a CT: any number type, slope and intercept applied.
-[[nodiscard]] Loaded<Image> readImage(const std::filesystem::path& file);
+[[nodiscard]] Loaded<Image> readImage(const std::filesystem::path& file, const std::string& series = {});
 
-/// Names that a `.seg.nrrd` gives its label values; empty for other files. Throws InputError as the readers
-/// do.
+/// A label map with the names that a `.seg.nrrd`, a DICOM SEG or the masks of a DICOM folder give its labels;
+/// no names for other files.
+[[nodiscard]] Loaded<NamedLabels> readNamedLabels(const std::filesystem::path& file,
+                                                  const std::string& series = {},
+                                                  const Progress& progress = {});
+/// The names alone.
 [[nodiscard]] std::map<int, std::string> readLabelNames(const std::filesystem::path& file);
 
 /// NIfTI (sform and qform, RAS, gzip by extension), NRRD (LPS, gzip) or MetaImage (LPS, zlib), by extension.
@@ -30,5 +38,7 @@ void writeImage(const std::filesystem::path& file, const Image& volume, Overwrit
 
 /// True for the extensions above.
 [[nodiscard]] bool isVolumeFile(const std::filesystem::path& file);
+/// True for these, and for DICOM files and folders, which are known by their content.
+[[nodiscard]] bool isVolume(const std::filesystem::path& fileOrFolder);
 
 }  // namespace falciform

@@ -99,8 +99,8 @@ TEST(VolumeFuzz, MutantsAreReadOrRefusedNeverWorse) {
       const std::string bytes = mutant(good, draw);
       const auto& file = memory.write(bytes);
       const std::size_t most = bytes.size() + good.size() + 10000;  // detached voxels count as well
-      reads += readsOrRefuses(readLabelMap, file, most);
-      readsOrRefuses(readImage, file, most);
+      reads += readsOrRefuses([](const auto& path) { return readLabelMap(path); }, file, most);
+      readsOrRefuses([](const auto& path) { return readImage(path); }, file, most);
     }
     EXPECT_GT(reads, 0) << extension << ": the mutants are all too far from a file";
     EXPECT_LT(reads, kMutantsPerFormat) << extension << ": the mutants are no mutants";
@@ -128,7 +128,8 @@ TEST(VolumeFuzz, HandWrittenHeadersAndTextVoxelsAreNoWorse) {
     std::mt19937 draw(7);
     for (int m = 0; m < kMutantsPerFormat; ++m) {
       const std::string bytes = mutant(good, draw);
-      readsOrRefuses(readLabelMap, memory.write(bytes), bytes.size() + good.size());
+      readsOrRefuses([](const auto& path) { return readLabelMap(path); }, memory.write(bytes),
+                     bytes.size() + good.size());
     }
   }
 }
@@ -141,7 +142,7 @@ TEST(VolumeFuzz, EveryTruncationIsRefused) {
     MemoryFile memory(folder / ("cut" + extension));
     for (std::size_t length = 0; length < good.size(); ++length) {
       const auto& file = memory.write(good.substr(0, length));
-      EXPECT_FALSE(readsOrRefuses(readLabelMap, file, good.size()))
+      EXPECT_FALSE(readsOrRefuses([](const auto& path) { return readLabelMap(path); }, file, good.size()))
           << extension << " cut to " << length << " of " << good.size();
     }
   }
