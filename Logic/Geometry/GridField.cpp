@@ -90,10 +90,14 @@ GridField signedDistanceField(const Surface& surface, double cellMm, double band
       const int y = static_cast<int>(line) % field.counts.y(), z = static_cast<int>(line) / field.counts.y();
       int winding = 0;
       std::size_t next = 0;
+      double before = bandMm;
       for (int x = 0; x < field.counts.x(); ++x) {
         const Vector3d place = field.place(x, y, z);
         for (; next < passages.size() && passages[next].x < place.x(); ++next) winding += passages[next].turn;
-        const double distance = std::min(bandMm, tree.closest(place, bandMm).distance);
+        // Within a cell of the last: the search is short although the surface may be far.
+        const double bound = std::min(bandMm, (before + field.cellMm) * (1 + 1e-9));
+        const double distance = std::min(bandMm, tree.closest(place, bound).distance);
+        before = distance;
         field.values[field.index(x, y, z)] = static_cast<float>(winding > 0 ? -distance : distance);
       }
     }
