@@ -7,7 +7,7 @@ namespace falciform {
 
 // Compressed frames. Inside Logic/IO only.
 
-enum class DicomCoding { None, RunLength, Jpeg, JpegLs, Jpeg2000 };
+enum class DicomCoding { None, RunLength, Jpeg, Jpeg2000 };
 
 /// By transfer syntax; throws InputError for those that are not known.
 [[nodiscard]] DicomCoding dicomCoding(const std::string& transferSyntax);
@@ -26,7 +26,7 @@ struct DecodedPixels {
 /// DICOM's run lengths (PS3.5, annex G).
 [[nodiscard]] DecodedPixels decodeRunLength(DicomBytes stream, const DicomPixelFormat& format);
 
-/// Rows, columns, bits and components of a JPEG, JPEG-LS or JPEG 2000 stream, from its header; throws
+/// Rows, columns, bits and components of a JPEG or JPEG 2000 stream, from its header; throws
 /// InputError where it is damaged.
 struct CodedSize {
   std::uint32_t rows = 0, columns = 0;

@@ -17,8 +17,8 @@ std::uint32_t bigEndian(DicomBytes stream, std::size_t at, std::size_t count) {
   return value;
 }
 
-/// ISO 10918-1, B.2.2, and ISO 14495-1: the frame header SOFn, or SOF55 of JPEG-LS, comes before the scan.
-CodedSize sizeOfJpeg(DicomBytes s, bool lossless14495) {
+/// ISO 10918-1, B.2.2: the frame header SOFn comes before the scan.
+CodedSize sizeOfJpeg(DicomBytes s) {
   if (s.size() < 4 || s[0] != 0xFF || s[1] != 0xD8) refuse("JPEG");
   for (std::size_t at = 2; at + 4 <= s.size();) {
     if (s[at] != 0xFF) refuse("JPEG");
@@ -29,9 +29,9 @@ CodedSize sizeOfJpeg(DicomBytes s, bool lossless14495) {
     }
     const std::size_t length = bigEndian(s, at + 2, 2);
     if (length < 2 || length > s.size() - at - 2 || marker == 0xDA) refuse("JPEG");
-    const bool classic =
+    const bool isFrame =
         marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
-    if (lossless14495 ? marker == 0xF7 : classic) {
+    if (isFrame) {
       if (length < 11) refuse("JPEG");
       CodedSize size{bigEndian(s, at + 5, 2), bigEndian(s, at + 7, 2), s[at + 4], s[at + 9]};
       if (size.components == 1 && s[at + 11] != 0x11) refuse("JPEG");  // subsampled
@@ -60,7 +60,7 @@ CodedSize sizeOfJpeg2000(DicomBytes s) {
 
 CodedSize codedSize(DicomBytes stream, DicomCoding coding) {
   if (coding == DicomCoding::Jpeg2000) return sizeOfJpeg2000(stream);
-  return sizeOfJpeg(stream, coding == DicomCoding::JpegLs);
+  return sizeOfJpeg(stream);
 }
 
 }  // namespace falciform

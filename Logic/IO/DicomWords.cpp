@@ -78,13 +78,27 @@ bool isAnatomy(std::string_view lower) {
                      [&](auto stem) { return lower.starts_with(stem); });
 }
 
-bool hasLongNumber(std::string_view word) {
-  std::size_t run = 0;
-  for (const char c : word) {
-    run = std::isdigit(static_cast<unsigned char>(c)) ? run + 1 : 0;
-    if (run >= 6) return true;
+/// Without numbers of six and more digits, as they stand in dates, times and IDs ("20221208", "2022-12-08").
+std::string withoutLongNumbers(const std::string& text) {
+  std::string kept, run;
+  std::size_t digits = 0;
+  const auto end = [&] {
+    if (digits < 6) kept += run;
+    run.clear();
+    digits = 0;
+  };
+  for (const char letter : text) {
+    const bool digit = std::isdigit(static_cast<unsigned char>(letter)) != 0;
+    if (!digit && std::string_view("./-:").find(letter) == std::string_view::npos) {
+      end();
+      kept += letter;
+      continue;
+    }
+    digits += digit;
+    run += letter;
   }
-  return false;
+  end();
+  return kept;
 }
 
 }  // namespace
@@ -107,13 +121,13 @@ std::string plainWords(const DicomItem& data, std::string_view text) {
   for (const DicomTag tag : {kPatientName, kPatientId, kBirthDate, kStudyDate})
     for (std::string& word : wordsOf(inUtf8(data.text(tag).substr(0, 4096), characterSet)))
       if (word.size() > 1) secret.push_back(std::move(word));
-  const std::string all = inUtf8(text.substr(0, 4096), characterSet);
+  const std::string all = withoutLongNumbers(inUtf8(text.substr(0, 4096), characterSet));
   std::string kept, word;
   const auto keepWord = [&] {
     const auto lower = wordsOf(word);
     const bool known = !lower.empty() && !isAnatomy(lower.front()) &&
                        std::find(secret.begin(), secret.end(), lower.front()) != secret.end();
-    if (!known && !hasLongNumber(word)) kept += word;
+    if (!known) kept += word;
     word.clear();
   };
   for (const char letter : all) {
