@@ -88,7 +88,8 @@ struct RegionFigures {
 /// Signed distance between the two surfaces, on both sides: positive where the intra-operative surface lies
 /// outside the pre-operative one; NaN where the scan does not reach. Array name on both:
 /// `signed_distance_mm`. Beside it `curvature_difference_per_mm`: mean curvature of the intra-operative
-/// surface less that of the pre-operative one, positive where it has become more convex.
+/// surface less that of the pre-operative one, positive where it has become more convex; NaN near a scan's
+/// border too.
 struct DistanceMap {
   Surface preop;  ///< pre-op surface moved into the scan's frame, with the array
   Surface scan;   ///< scan with the array

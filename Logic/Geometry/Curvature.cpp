@@ -34,8 +34,12 @@ struct LocalQuadric {
 /// Fits quadrics to the places of one chunk.
 class Fitter {
  public:
-  Fitter(const Points& points, const Neighbourhoods& around, bool linearTerms)
-      : points_(points), around_(around), linearTerms_(linearTerms), scratch_(around.borrow()) {}
+  Fitter(const Points& points, const Neighbourhoods& around, const CurvatureSettings& settings)
+      : points_(points),
+        around_(around),
+        linearTerms_(settings.linearTerms),
+        largestLean_(settings.largestLean),
+        scratch_(around.borrow()) {}
   Fitter(const Fitter&) = delete;
   Fitter& operator=(const Fitter&) = delete;
   ~Fitter() { around_.giveBack(std::move(scratch_)); }
@@ -51,14 +55,18 @@ class Fitter {
     quadric.axis = tangents(quadric.normal);
     offsets_.resize(count + 1);
     const Vector3d here = points_.row(place);
-    double largest = 0;  // mm^2
+    Vector3d middle = Vector3d::Zero();  // times the count
+    double largest = 0;                  // mm^2
     for (std::size_t i = 0; i < count; ++i) {
       offsets_[i] = points_.row(scratch_->found[i]).transpose() - here;
+      middle += offsets_[i];
       largest = std::max(largest, offsets_[i].squaredNorm());
     }
     offsets_[count].setZero();  // fills the last lane
     if (!(largest > 0)) return quadric;
     const double size = std::sqrt(largest), perSize = 1 / size;  // mm
+    const double aside = (middle - middle.dot(quadric.normal) * quadric.normal).norm();
+    if (aside > largestLean_ * size * static_cast<double>(count)) return quadric;
     const Vector3d u = quadric.axis[0] * perSize, v = quadric.axis[1] * perSize, n = quadric.normal * perSize;
     QuadricMoments moments;
     for (std::size_t i = 0; i < count; i += 2) {
@@ -76,6 +84,7 @@ class Fitter {
   const Points& points_;
   const Neighbourhoods& around_;
   bool linearTerms_;
+  double largestLean_;
   std::unique_ptr<Neighbourhoods::Scratch> scratch_;
   std::vector<Vector3d> offsets_;  ///< mm, from the place
 };
@@ -92,7 +101,7 @@ template <class Write>
 void forEachPlace(const Surface& surface, const CurvatureSettings& settings, const Write& write) {
   const Neighbourhoods around(surface, settings);
   forEachChunk(static_cast<std::size_t>(surface.size()), 1024, [&](std::size_t begin, std::size_t end) {
-    Fitter fitter(surface.points, around, settings.linearTerms);
+    Fitter fitter(surface.points, around, settings);
     for (std::size_t i = begin; i < end; ++i) write(static_cast<int>(i), fitter.at(static_cast<int>(i)));
   });
 }

@@ -9,6 +9,8 @@ struct CurvatureSettings {
   int neighbours = 15;      ///< at least so many: whole rings of a mesh, or the nearest of a cloud
   double radiusMm = 0;      ///< all within this distance, if they are more; 0: by their number alone
   bool linearTerms = true;  ///< false: the thesis's fit, level at the point, of exactly `neighbours` nearest
+  double largestLean = 1;   ///< no value where the middle of the points around lies farther aside than this
+                           ///< share of their reach: at a straight border it is 0.42, where noise counts most
 };
 
 template <class Visitor>
@@ -22,6 +24,9 @@ void describe(CurvatureSettings& s, Visitor&& field) {
   field(FieldInfo{"curvatureLinearTerms", "Linear terms", "", 0, 1,
                   "Fit the slope too; off: the thesis's fit, level at the point, of the nearest points."},
         s.linearTerms);
+  field(FieldInfo{"curvatureLargestLean", "Largest lean", "", 0, 1,
+                  "No value where the points around lie to one side by more than this share of their reach."},
+        s.largestLean);
 }
 
 /// The thesis's: four neighbours, no linear terms, H = a + c (thesis Eq. (IV.2) to (IV.4)).

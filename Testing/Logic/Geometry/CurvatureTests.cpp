@@ -248,6 +248,22 @@ TEST(Curvature, IsNotANumberWhereNoQuadricCanBeFitted) {
   EXPECT_TRUE(meanCurvature(line).array().isNaN().all());
 }
 
+TEST(Curvature, IsLeftOutAtABorderWhereAskedTo) {
+  const Surface s = lifted([](double x, double y) { return -0.01 * (x * x + y * y); });
+  CurvatureSettings settings = byRadius(5);
+  settings.largestLean = 0.25;
+  const VectorXd everywhere = meanCurvature(s, byRadius(5)), kept = meanCurvature(s, settings);
+  for (Index i = 0; i < s.size(); ++i) {
+    EXPECT_FALSE(std::isnan(everywhere[i]));
+    if (!inner(s, i, 1)) {
+      EXPECT_TRUE(std::isnan(kept[i]));
+    }
+    if (inner(s, i, 5)) {
+      EXPECT_EQ(kept[i], everywhere[i]);
+    }
+  }
+}
+
 TEST(Curvature, RefusesACloudThatHasNoOutside) {
   Surface cloud;
   cloud.points = Points::Random(30, 3);
