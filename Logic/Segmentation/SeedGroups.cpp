@@ -1,0 +1,51 @@
+#include "Logic/Segmentation/SeedGroups.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace falciform {
+
+namespace {
+
+/// HU: seeds of one organ may differ by so much, noise or not.
+constexpr double kAlikeHu = 20;
+
+bool alike(const Tissue& a, const Tissue& b) {
+  return std::abs(a.level - b.level) <= std::max(kAlikeHu, 3 * std::max(a.spread, b.spread));
+}
+
+}  // namespace
+
+std::vector<SeedGroup> groupSeeds(const Image& image, const std::vector<Vector3d>& seeds, double radiusMm,
+                                  const Tissue* known) {
+  std::vector<SeedGroup> groups;
+  std::vector<std::vector<float>> values;
+  if (known != nullptr) {
+    groups.push_back({*known, {}, {}});
+    values.emplace_back();
+  }
+  for (std::size_t s = 0; s < seeds.size(); ++s) {
+    const std::vector<float> around = valuesAround(image, seeds[s], radiusMm);
+    const Tissue here = tissueOf(around);
+    auto group =
+        std::find_if(groups.begin(), groups.end(), [&](const SeedGroup& g) { return alike(g.tissue, here); });
+    if (group == groups.end()) {
+      group = groups.insert(groups.end(), SeedGroup{here, {}, {}});
+      values.emplace_back();
+    }
+    group->seeds.push_back(seeds[s]);
+    group->numbers.push_back(static_cast<Index>(s));
+    auto& pooled = values[static_cast<std::size_t>(group - groups.begin())];
+    pooled.insert(pooled.end(), around.begin(), around.end());
+    if (known == nullptr || group != groups.begin()) group->tissue = tissueOf(pooled);
+  }
+  if (known == nullptr && !groups.empty()) {
+    const auto most = std::max_element(
+        groups.begin(), groups.end(),
+        [](const SeedGroup& a, const SeedGroup& b) { return a.seeds.size() < b.seeds.size(); });
+    std::rotate(groups.begin(), most, most + 1);
+  }
+  return groups;
+}
+
+}  // namespace falciform
