@@ -25,7 +25,7 @@ Eigen::MatrixXd posteriorRows(const UpdateModel& model, const UpdateResult& upda
   if (update.covariance.rows() != loads.loads() + 6)
     throw InputError("the update knows no covariance of its " + std::to_string(loads.loads()) +
                      " loads; expected errors need one");
-  const MeshPlaces places(loads.mesh, preopMm);
+  const MeshPlaces places(model.locator(), preopMm);
   const Points turns = places.interpolate(update.turns);
   const Points moved = preopMm + Points(places.interpolate(update.displacements));
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(loads.loads() + 6, 3 * preopMm.rows());
@@ -68,9 +68,8 @@ VectorXd expectedErrorMm(const UpdateModel& model, const UpdateResult& update, c
 
 VectorXd expectedErrorOnSurface(const UpdateModel& model, const UpdateResult& update,
                                 const Points& surfaceMm) {
-  const TetrahedralMesh& mesh = model.responses().mesh;
-  const VectorXd nodes = expectedErrorMm(model, update, mesh.points);
-  return MeshPlaces(mesh, surfaceMm).interpolate(nodes).col(0).cwiseMax(0);
+  const VectorXd nodes = expectedErrorMm(model, update, model.responses().mesh.points);
+  return MeshPlaces(model.locator(), surfaceMm).interpolate(nodes).col(0).cwiseMax(0);
 }
 
 }  // namespace falciform

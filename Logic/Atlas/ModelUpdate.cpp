@@ -8,13 +8,12 @@
 namespace falciform {
 
 UpdateModel::UpdateModel(const Surface& preop, LoadResponses responses)
-    : preop_(preop), responses_(std::move(responses)), warp_(responses_.mesh) {
+    : preop_(preop), responses_(std::move(responses)), warp_(responses_.mesh), locator_(responses_.mesh) {
   checkSurface(preop, "the pre-operative surface");
-  const MeshLocator locator(responses_.mesh);
   constexpr double kFineEdgeMm = 2.5;
   fine_ = subdividedTo(preop, kFineEdgeMm);
-  places_ = MeshPlaces(locator, fine_.points);
-  centres_ = MeshPlaces(locator, responses_.centres);
+  places_ = MeshPlaces(locator_, fine_.points);
+  centres_ = MeshPlaces(locator_, responses_.centres);
   const KdTree tree(responses_.centres);
   centreOf_.resize(static_cast<std::size_t>(fine_.size()));
   forEachChunk(centreOf_.size(), 1024, [&](std::size_t first, std::size_t last) {
@@ -32,7 +31,7 @@ UpdateResult updateModel(const UpdateModel& model, const Surface& scan, const Is
 }
 
 Points scanFromPreop(const UpdateModel& model, const UpdateResult& update, const Points& preopMm) {
-  const MeshPlaces places(model.responses().mesh, preopMm);
+  const MeshPlaces places(model.locator(), preopMm);
   return transformed(preopMm + Points(places.interpolate(update.displacements)), update.scanFromPreop);
 }
 

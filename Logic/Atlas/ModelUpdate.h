@@ -27,12 +27,15 @@ class UpdateModel {
   [[nodiscard]] const MeshPlaces& centres() const { return centres_; }  ///< of the load centres
   /// Of each of fine()'s points: the nearest load centre.
   [[nodiscard]] const std::vector<int>& centreOf() const { return centreOf_; }
+  /// Of responses().mesh: made once, since that takes longer than most questions it is asked.
+  [[nodiscard]] const MeshLocator& locator() const { return locator_; }
   [[nodiscard]] const CornerWarp& warp() const { return warp_; }  ///< makes large turns true ones
 
  private:
   Surface preop_, fine_;
   LoadResponses responses_;
   CornerWarp warp_;
+  MeshLocator locator_;
   MeshPlaces places_, centres_;
   std::vector<int> centreOf_;
 };

@@ -37,7 +37,7 @@ Eigen::MatrixXd alongNormals(const UpdateModel& model, const UpdateResult& updat
                              const std::vector<int>& vertices, const Points& normals) {
   const Points places = model.fine().points(vertices, Eigen::all);
   const Eigen::MatrixXd rows = posteriorRows(model, update, places);
-  const Points turns = MeshPlaces(model.responses().mesh, places).interpolate(update.turns);
+  const Points turns = MeshPlaces(model.locator(), places).interpolate(update.turns);
   Eigen::MatrixXd along(rows.rows(), places.rows());
   for (Index i = 0; i < places.rows(); ++i)
     along.col(i) =

@@ -42,7 +42,7 @@ class Carrier {
 SyntheticLiver packLiver(const SyntheticLiver& liver, const PackingSettings& settings,
                          const Progress& progress) {
   MeshSettings meshing;
-  meshing.edgeLengthMm = 9;
+  meshing.edgeLengthMm = settings.packedEdgeLengthMm;
   const TetrahedralMesh mesh = meshLiver(liver.surface, {}, meshing, progress.part(0, 0.3)).mesh;
   const BoundaryFaces faces = boundaryFaces(mesh);
   const std::vector<Support> supports = leftLobePacked(findSupportSites(liver.surface, mesh, faces),

@@ -7,6 +7,7 @@ namespace falciform::commandline {
 struct PackingSettings {
   double packingMm = 0;  ///< push under the left lobe; 0: none
   double packedExtentMm = 35;
+  double packedEdgeLengthMm = 9;
 };
 
 template <class Visitor>
@@ -19,6 +20,10 @@ void describe(PackingSettings& s, Visitor&& field) {
   field(FieldInfo{"packedExtentMm", "Packed extent", "mm", 5, 80,
                   "Radius of the packed place, along the surface."},
         s.packedExtentMm);
+  field(FieldInfo{"packedEdgeLengthMm", "Edge length of packing", "mm", 4, 30,
+                  "Mean edge of the elements that the packing is computed on; the time grows with the sixth "
+                  "power of its inverse."},
+        s.packedEdgeLengthMm);
 }
 
 /// The liver, its structures, targets and landmarks as packed: vena cava fixed, back on its sliding bed, left
