@@ -1,10 +1,12 @@
 #include "Logic/IO/DicomCodecs.h"
 
+#include <fcntl.h>
 #include <gdcmDataElement.h>
 #include <gdcmFragment.h>
 #include <gdcmImage.h>
 #include <gdcmSequenceOfFragments.h>
 #include <gdcmTrace.h>
+#include <unistd.h>
 
 #include <mutex>
 
@@ -25,6 +27,42 @@ void silenceGdcm() {
     gdcm::Trace::ErrorOff();
   });
 }
+
+/// The JPEG decoder in GDCM prints what it thinks of a damaged stream; nothing else can stop it. Standard
+/// error is closed to it while at least one thread decodes.
+class QuietDecoder {
+ public:
+  QuietDecoder() {
+    const std::lock_guard lock(mutex());
+    if (users()++ > 0) return;
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    kept() = fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (nowhere >= 0 && kept() >= 0) dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) close(nowhere);
+  }
+  ~QuietDecoder() {
+    const std::lock_guard lock(mutex());
+    if (--users() > 0 || kept() < 0) return;
+    dup2(kept(), STDERR_FILENO);
+    close(kept());
+  }
+  QuietDecoder(const QuietDecoder&) = delete;
+  QuietDecoder& operator=(const QuietDecoder&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+  static int& users() {
+    static int count = 0;
+    return count;
+  }
+  static int& kept() {
+    static int descriptor = -1;
+    return descriptor;
+  }
+};
 
 gdcm::TransferSyntax::TSType gdcmSyntax(const std::string& transferSyntax) {
   return gdcm::TransferSyntax::GetTSType(transferSyntax.c_str());
@@ -83,6 +121,7 @@ DecodedPixels decodeCompressed(DicomBytes stream, DicomCoding coding, const Dico
   pixels.bytes.resize(expected);
   bool decoded = false;
   try {
+    const QuietDecoder quiet;
     decoded = image.GetBuffer(reinterpret_cast<char*>(pixels.bytes.data()));
   } catch (const std::exception&) {  // gdcm::Exception names its own source files
   }

@@ -61,6 +61,9 @@ struct DicomListing {
 /// read. Throws InputError that lists the choices.
 [[nodiscard]] const DicomSeries& chooseSeries(const DicomListing& listing, const std::string& choice);
 
+/// SHA-256 over those of its files, in the order of its slices: for a result's record of its inputs.
+[[nodiscard]] std::string sha256OfSeries(const DicomSeries& series);
+
 /// The voxels of a series of intensities, rescaled (CT: Hounsfield units). MONOCHROME1 says how to display,
 /// not what a value is: values are as in MONOCHROME2. Throws InputError for damaged files.
 [[nodiscard]] Loaded<Image> readDicomImage(const DicomSeries& series, const Progress& progress = {});

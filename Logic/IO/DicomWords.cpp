@@ -6,7 +6,9 @@
 #include <cctype>
 #include <vector>
 
+#include "Logic/IO/DicomSeries.h"
 #include "Logic/IO/HeaderText.h"
+#include "Logic/IO/OutputFile.h"
 
 namespace falciform {
 
@@ -103,16 +105,32 @@ std::string withoutLongNumbers(const std::string& text) {
 
 }  // namespace
 
-std::string digestOf(std::string_view identifier) {
+namespace {
+
+std::string sha256(std::string_view text, std::size_t bytes) {
   unsigned char digest[EVP_MAX_MD_SIZE] = {};
   unsigned int length = 0;
-  EVP_Digest(identifier.data(), identifier.size(), digest, &length, EVP_sha256(), nullptr);
-  std::string text;
-  for (std::size_t b = 0; b < 8; ++b) {
-    text += "0123456789abcdef"[digest[b] >> 4];
-    text += "0123456789abcdef"[digest[b] & 15];
+  EVP_Digest(text.data(), text.size(), digest, &length, EVP_sha256(), nullptr);
+  std::string hexadecimal;
+  for (std::size_t b = 0; b < bytes; ++b) {
+    hexadecimal += "0123456789abcdef"[digest[b] >> 4];
+    hexadecimal += "0123456789abcdef"[digest[b] & 15];
   }
-  return text;
+  return hexadecimal;
+}
+
+}  // namespace
+
+std::string digestOf(std::string_view identifier) { return sha256(identifier, 8); }
+
+std::string sha256OfSeries(const DicomSeries& series) {
+  std::string digests;
+  const std::filesystem::path* last = nullptr;
+  for (const DicomSlice& slice : series.slices) {
+    if (!last || slice.file != *last) digests += sha256OfFile(slice.file);
+    last = &slice.file;
+  }
+  return sha256(digests, 32);
 }
 
 std::string plainWords(const DicomItem& data, std::string_view text) {

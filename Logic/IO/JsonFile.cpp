@@ -16,6 +16,8 @@ nlohmann::json readJsonFile(const std::filesystem::path& file) {
     throw InputError(file.filename().string() + " is no sound JSON: fault at byte " +
                      std::to_string(error.byte) + " of " + std::to_string(text.size()) +
                      "; mend or export it again");
+  } catch (const nlohmann::json::out_of_range&) {  // 1e999: no fault of the syntax to the parser
+    throw InputError(file.filename().string() + " holds a number beyond 1.8e308; mend or export it again");
   }
 }
 

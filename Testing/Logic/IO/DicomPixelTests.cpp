@@ -1,11 +1,10 @@
-#include <gdcmImage.h>
-#include <gdcmImageChangeTransferSyntax.h>
-#include <gdcmSequenceOfFragments.h>
+#include <gdcmTransferSyntax.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "Logic/IO/VolumeFiles.h"
 #include "Testing/Logic/IO/DicomBytes.h"
+#include "Testing/Logic/IO/PackedSlice.h"
 #include "Testing/Logic/IO/VolumeBytes.h"
 #include "Testing/Support/TemporaryFolder.h"
 
@@ -26,51 +25,6 @@ LabelMap readLabelsBack(SlicePlan plan) {
   const TemporaryFolder folder;
   writeSeries(folder.path(), std::move(plan), {0, 3});
   return readLabelMap(folder.path()).value;
-}
-
-/// A 16 x 12 slice of `stored` bits with an uneven pattern.
-SlicePlan patterned(int stored) {
-  SlicePlan plan;
-  plan.columns = 16;
-  plan.rows = 12;
-  plan.bits = stored > 8 ? 16 : 8;
-  plan.stored = stored;
-  plan.highBit = stored - 1;
-  plan.intercept = "0";
-  for (int p = 0; p < 16 * 12; ++p) plan.values.push_back((p * p * 7 + p / 16) % (1 << stored));
-  return plan;
-}
-
-/// The same pixels packed by GDCM.
-SlicePlan packed(SlicePlan plan, gdcm::TransferSyntax::TSType syntax) {
-  gdcm::ImageChangeTransferSyntax change;
-  gdcm::SmartPointer<gdcm::Image> image = new gdcm::Image;
-  image->SetNumberOfDimensions(2);
-  image->SetDimension(0, static_cast<unsigned>(plan.columns));
-  image->SetDimension(1, static_cast<unsigned>(plan.rows));
-  image->SetPixelFormat(gdcm::PixelFormat(1, static_cast<unsigned short>(plan.bits),
-                                          static_cast<unsigned short>(plan.stored),
-                                          static_cast<unsigned short>(plan.highBit), 0));
-  image->SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
-  image->SetTransferSyntax(gdcm::TransferSyntax::ExplicitVRLittleEndian);
-  std::string bytes;
-  for (const int value : plan.values) {
-    bytes += static_cast<char>(value & 255);
-    if (plan.bits == 16) bytes += static_cast<char>(value >> 8);
-  }
-  gdcm::DataElement pixels(gdcm::Tag(0x7FE0, 0x0010));
-  pixels.SetByteValue(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
-  image->SetDataElement(pixels);
-  change.SetTransferSyntax(syntax);
-  change.SetInput(*image);
-  EXPECT_TRUE(change.Change());
-  const auto* fragments = change.GetOutput().GetDataElement().GetSequenceOfFragments();
-  plan.transferSyntax = gdcm::TransferSyntax(syntax).GetString();
-  for (gdcm::SequenceOfFragments::SizeType f = 0; f < fragments->GetNumberOfFragments(); ++f) {
-    const auto* value = fragments->GetFragment(f).GetByteValue();
-    plan.coded.emplace_back(value->GetPointer(), value->GetLength());
-  }
-  return plan;
 }
 
 }  // namespace
@@ -124,8 +78,8 @@ TEST(DicomPixels, LosslessCodersGiveTheValuesBack) {
   using TS = gdcm::TransferSyntax;
   for (const int stored : {8, 12, 16})
     for (const auto syntax : {TS::RLELossless, TS::JPEGLosslessProcess14_1, TS::JPEG2000Lossless}) {
-      const SlicePlan plain = patterned(stored);
-      const Image image = readBack(packed(plain, syntax));
+      const SlicePlan plain = patternedSlice(stored);
+      const Image image = readBack(packedSlice(plain, syntax));
       for (std::size_t p = 0; p < plain.values.size(); ++p)
         ASSERT_EQ(image.voxels[p], plain.values[p])
             << TS(syntax).GetString() << ", " << stored << " bits, pixel " << p;
@@ -135,7 +89,7 @@ TEST(DicomPixels, LosslessCodersGiveTheValuesBack) {
 TEST(DicomPixels, CodedSliceOfAnotherSizeIsRefusedBeforeItIsDecoded) {
   using TS = gdcm::TransferSyntax;
   for (const auto syntax : {TS::RLELossless, TS::JPEGLosslessProcess14_1, TS::JPEG2000Lossless}) {
-    SlicePlan plan = packed(patterned(12), syntax);
+    SlicePlan plan = packedSlice(patternedSlice(12), syntax);
     plan.rows = 13;
     EXPECT_FALSE(tellsIdentity(refusalOf([&] { (void)readBack(plan); })));
     plan.rows = 12;
@@ -148,7 +102,7 @@ TEST(DicomPixels, CodedSliceOfAnotherSizeIsRefusedBeforeItIsDecoded) {
 }
 
 TEST(DicomPixels, UnknownCompressionIsNamed) {
-  SlicePlan plan = packed(patterned(8), gdcm::TransferSyntax::RLELossless);
+  SlicePlan plan = packedSlice(patternedSlice(8), gdcm::TransferSyntax::RLELossless);
   plan.transferSyntax = "1.2.840.10008.1.2.4.100";  // MPEG
   EXPECT_THAT(refusalOf([&] { (void)readBack(plan); }), HasSubstr("compressed in a way that is not known"));
   plan.transferSyntax = "1.2.840.10008.1.2.4.80";  // JPEG-LS
