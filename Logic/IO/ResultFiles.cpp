@@ -37,11 +37,49 @@ Json byPatch(const std::map<int, DistanceStatistics>& statistics, const Surface&
   return list;
 }
 
-std::string row(const std::string& side, const std::string& patch, const DistanceStatistics& s) {
-  std::string line = side + ',' + csvCell(patch) + ',' + std::to_string(s.count);
+/// "mean_per_mm" with `unit` "_per_mm".
+Json withUnit(const DistanceStatistics& s, const std::string& unit) {
+  return {{"count", s.count},
+          {"mean" + unit, numberOrNull(s.mean)},
+          {"sd" + unit, numberOrNull(s.sd)},
+          {"median" + unit, numberOrNull(s.median)},
+          {"p95_absolute" + unit, numberOrNull(s.p95Absolute)},
+          {"min" + unit, numberOrNull(s.min)},
+          {"max" + unit, numberOrNull(s.max)},
+          {"rms" + unit, numberOrNull(s.rms)},
+          {"mean_absolute" + unit, numberOrNull(s.meanAbsolute)}};
+}
+
+Json regionsToJson(const std::vector<RegionFigures>& regions) {
+  Json list = Json::array();
+  for (const RegionFigures& region : regions)
+    list.push_back({{"region", region.name},
+                    {"kind", regionKindName(region.kind)},
+                    {"label", region.label},
+                    {"area_mm2", numberOrNull(region.areaMm2)},
+                    {"covered_area_mm2", numberOrNull(region.coveredAreaMm2())},
+                    {"coverage", numberOrNull(region.coverage)},
+                    {"signed_distance", withUnit(region.distance, "_mm")},
+                    {"curvature_difference", withUnit(region.curvatureDifference, "_per_mm")}});
+  return list;
+}
+
+std::string cells(const DistanceStatistics& s) {
+  std::string line = ',' + std::to_string(s.count);
   for (const double value : {s.mean, s.sd, s.median, s.p95Absolute, s.min, s.max, s.rms, s.meanAbsolute})
     line += ',' + (std::isfinite(value) ? numberText(value) : std::string());
-  return line + '\n';
+  return line;
+}
+
+std::string rows(const std::string& side, const std::vector<RegionFigures>& regions) {
+  std::string csv;
+  for (const RegionFigures& region : regions) {
+    csv += side + ',' + csvCell(region.name) + ',' + regionKindName(region.kind);
+    for (const double value : {region.areaMm2, region.coveredAreaMm2(), region.coverage})
+      csv += ',' + (std::isfinite(value) ? numberText(value) : std::string());
+    csv += cells(region.distance) + cells(region.curvatureDifference) + '\n';
+  }
+  return csv;
 }
 
 }  // namespace
@@ -75,35 +113,49 @@ Json toJson(const RegistrationResult& result) {
           {"history", history}};
 }
 
-Json toJson(const DistanceStatistics& s) {
-  return {{"count", s.count},
-          {"mean_mm", numberOrNull(s.mean)},
-          {"sd_mm", numberOrNull(s.sd)},
-          {"median_mm", numberOrNull(s.median)},
-          {"p95_absolute_mm", numberOrNull(s.p95Absolute)},
-          {"min_mm", numberOrNull(s.min)},
-          {"max_mm", numberOrNull(s.max)},
-          {"rms_mm", numberOrNull(s.rms)},
-          {"mean_absolute_mm", numberOrNull(s.meanAbsolute)}};
-}
+Json toJson(const DistanceStatistics& s) { return withUnit(s, "_mm"); }
 
 Json toJson(const DistanceMap& map) {
+  const auto side = [](const DistanceStatistics& all, const std::map<int, DistanceStatistics>& patches,
+                       const std::vector<RegionFigures>& regions, const Surface& surface) {
+    return Json{
+        {"all", toJson(all)}, {"patches", byPatch(patches, surface)}, {"regions", regionsToJson(regions)}};
+  };
   return {{"array", kSignedDistance},
           {"sign", "positive where the intra-operative surface lies outside the pre-operative one"},
+          {"direction",
+           "preop: from each vertex of the pre-operative surface to the scan; scan: from each point of the "
+           "scan to the pre-operative surface"},
+          {"curvature_array", kCurvatureDifference},
+          {"curvature_sign",
+           "mean curvature of the intra-operative surface less that of the pre-operative one: positive where "
+           "it has become more convex"},
           {"coverage", numberOrNull(map.coverage)},
-          {"preop", {{"all", toJson(map.preopAll)}, {"patches", byPatch(map.preopByPatch, map.preop)}}},
-          {"scan", {{"all", toJson(map.scanAll)}, {"patches", byPatch(map.scanByPatch, map.scan)}}}};
+          {"preop", side(map.preopAll, map.preopByPatch, map.preopRegions, map.preop)},
+          {"scan", side(map.scanAll, map.scanByPatch, map.scanRegions, map.scan)}};
 }
 
 std::string toCsv(const DistanceMap& map) {
-  std::string csv =
-      "side,patch,count,mean_mm,sd_mm,median_mm,p95_absolute_mm,min_mm,max_mm,rms_mm,mean_absolute_mm\n";
-  csv += row("preop", "all", map.preopAll);
-  for (const auto& [label, values] : map.preopByPatch)
-    csv += row("preop", patchName(map.preop, label), values);
-  csv += row("scan", "all", map.scanAll);
-  for (const auto& [label, values] : map.scanByPatch) csv += row("scan", patchName(map.scan, label), values);
-  return csv;
+  std::string csv = "side,region,kind,area_mm2,covered_area_mm2,coverage";
+  for (const char* metric : {"", "curvature_difference_"}) {
+    const std::string name = metric, unit = name.empty() ? "_mm" : "_per_mm";
+    csv += ',' + name + "count";
+    for (const char* figure : {"mean", "sd", "median", "p95_absolute", "min", "max", "rms", "mean_absolute"})
+      csv += ',' + name + figure + unit;
+  }
+  return csv + '\n' + rows("preop", map.preopRegions) + rows("scan", map.scanRegions);
+}
+
+std::string regionKindName(RegionFigures::Kind kind) {
+  switch (kind) {
+    case RegionFigures::Kind::Patch:
+      return "patch";
+    case RegionFigures::Kind::Segment:
+      return "segment";
+    case RegionFigures::Kind::All:
+      break;
+  }
+  return "all";
 }
 
 }  // namespace falciform

@@ -11,11 +11,14 @@ namespace falciform {
 /// The reverse; throws InputError naming the key for anything missing or wrong.
 [[nodiscard]] RegistrationResult registrationFromJson(const nlohmann::json& json);
 [[nodiscard]] nlohmann::json toJson(const DistanceStatistics& statistics);
-/// Statistics of the map, by side and by patch; not the surfaces.
+/// "all", "patch" or "segment".
+[[nodiscard]] std::string regionKindName(RegionFigures::Kind kind);
+/// Statistics of the map, by side and by region; not the surfaces.
 [[nodiscard]] nlohmann::json toJson(const DistanceMap& map);
 /// The reverse, with the surfaces that were saved beside it.
 [[nodiscard]] DistanceMap distanceFromJson(const nlohmann::json& json, Surface preop, Surface scan);
-/// One row per side and patch: "side,patch,count,mean_mm,...", C locale.
+/// One row per side and region: "side,region,kind,area_mm2,covered_area_mm2,coverage,count,mean_mm,...", the
+/// same of curvature differences after it; C locale. No value is an empty cell.
 [[nodiscard]] std::string toCsv(const DistanceMap& map);
 
 }  // namespace falciform

@@ -58,28 +58,64 @@ class Fields {
   std::string what_;
 };
 
-DistanceStatistics statisticsFrom(const Fields& fields) {
+DistanceStatistics statisticsFrom(const Fields& fields, const std::string& unit = "_mm") {
+  const auto number = [&](const std::string& figure) { return fields.number((figure + unit).c_str()); };
   DistanceStatistics s;
   s.count = fields.whole<Index>("count");
-  s.mean = fields.number("mean_mm");
-  s.sd = fields.number("sd_mm");
-  s.median = fields.number("median_mm");
-  s.p95Absolute = fields.number("p95_absolute_mm");
-  s.min = fields.number("min_mm");
-  s.max = fields.number("max_mm");
-  s.rms = fields.number("rms_mm");
-  s.meanAbsolute = fields.number("mean_absolute_mm");
+  s.mean = number("mean");
+  s.sd = number("sd");
+  s.median = number("median");
+  s.p95Absolute = number("p95_absolute");
+  s.min = number("min");
+  s.max = number("max");
+  s.rms = number("rms");
+  s.meanAbsolute = number("mean_absolute");
   return s;
 }
 
-void readSide(const Json& json, const char* side, DistanceStatistics& all,
-              std::map<int, DistanceStatistics>& byPatch) {
+RegionFigures regionFrom(const Fields& fields) {
+  using enum RegionFigures::Kind;
+  RegionFigures region;
+  const std::string kind = fields.text("kind");
+  if (kind != "all" && kind != "patch" && kind != "segment") fields.refuse("kind", "all, patch or segment");
+  region.kind = kind == "patch" ? Patch : kind == "segment" ? Segment : All;
+  region.name = fields.text("region");
+  region.label = fields.whole<int>("label");
+  region.areaMm2 = fields.number("area_mm2");
+  region.coverage = fields.number("coverage");
+  region.distance = statisticsFrom(Fields(fields.at("signed_distance"), "the distances of a region"));
+  region.curvatureDifference =
+      statisticsFrom(Fields(fields.at("curvature_difference"), "the curvatures of a region"), "_per_mm");
+  return region;
+}
+
+/// Of a case that was saved before regions were: what it knows of them.
+std::vector<RegionFigures> regionsOf(const DistanceStatistics& all,
+                                     const std::map<int, DistanceStatistics>& byPatch,
+                                     const Surface& surface) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const DistanceStatistics nothing{0, none, none, none, none, none, none, none, none};
+  std::vector<RegionFigures> regions{{RegionFigures::Kind::All, 0, "all", none, none, all, nothing}};
+  for (const auto& [label, statistics] : byPatch)
+    regions.push_back(
+        {RegionFigures::Kind::Patch, label, patchName(surface, label), none, none, statistics, nothing});
+  return regions;
+}
+
+void readSide(const Json& json, const char* side, const Surface& surface, DistanceStatistics& all,
+              std::map<int, DistanceStatistics>& byPatch, std::vector<RegionFigures>& regions) {
   const Fields fields(json, std::string("the distance map's ") + side);
   all = statisticsFrom(Fields(fields.at("all"), "the distance statistics"));
   for (const Json& entry : fields.list("patches")) {
     const Fields patch(entry, "the distance statistics of a patch");
     byPatch[patch.whole<int>("label")] = statisticsFrom(patch);
   }
+  if (!json.contains("regions")) {
+    regions = regionsOf(all, byPatch, surface);
+    return;
+  }
+  for (const Json& entry : fields.list("regions"))
+    regions.push_back(regionFrom(Fields(entry, "the figures of a region")));
 }
 
 }  // namespace
@@ -129,8 +165,8 @@ DistanceMap distanceFromJson(const Json& json, Surface preop, Surface scan) {
   const Fields fields(json, "the distance map");
   DistanceMap map;
   map.coverage = fields.number("coverage");
-  readSide(fields.at("preop"), "preop", map.preopAll, map.preopByPatch);
-  readSide(fields.at("scan"), "scan", map.scanAll, map.scanByPatch);
+  readSide(fields.at("preop"), "preop", preop, map.preopAll, map.preopByPatch, map.preopRegions);
+  readSide(fields.at("scan"), "scan", scan, map.scanAll, map.scanByPatch, map.scanRegions);
   map.preop = std::move(preop);
   map.scan = std::move(scan);
   return map;

@@ -1,4 +1,7 @@
+#include "Logic/Core/Errors.h"
+#include "Logic/Deformation/SegmentLabels.h"
 #include "Modules/CommandLine/DistanceOutputs.h"
+#include "Modules/CommandLine/Figures.h"
 
 namespace falciform::commandline {
 
@@ -25,6 +28,22 @@ void declare(Syntax& syntax) {
               .help = "Maps pre-op mm to scan mm: .tfm, .txt or .json, as register writes it.",
               .required = true,
               .group = group});
+  syntax.add(
+      {.name = "segments",
+       .kind = LabelMap,
+       .label = "Couinaud segments",
+       .help = "Segment map of the pre-op CT, labels 1 to 8: figures of each segment as well. Without it, an "
+               "array couinaud_segment of the pre-op surface is taken if there is one.",
+       .group = group});
+  syntax.add({.name = "segment-reach",
+              .kind = Number,
+              .label = "Segment reach",
+              .unit = "mm",
+              .help = "A vertex is of the segment of the nearest labelled voxel within this.",
+              .fallback = "5",
+              .min = 0.1,
+              .max = 50,
+              .group = "Coverage"});
   syntax.add({.name = "out",
               .kind = Folder,
               .label = "Result folder",
@@ -38,6 +57,24 @@ void declare(Syntax& syntax) {
   syntax.addResult({"rms_mm", "RMS distance", "mm"});
 }
 
+/// The segment of every vertex, as an array.
+void addSegments(falciform::Surface& preop, const ParsedArguments& arguments, CommandRun& run) {
+  const std::filesystem::path file = arguments.path("segments");
+  const double reach = parseNumber("--segment-reach", arguments.text("segment-reach"));
+  VectorXd found = labelsAtPoints(preop.points, run.labelMap(file), reach);
+  const Index with = (found.array() > 0).count();
+  if (with == 0)
+    throw InputError("no vertex of the pre-op surface lies within " + numberText(reach) +
+                     " mm of a labelled voxel of " + file.filename().string() +
+                     "; give the segment map of the same CT");
+  if (with < preop.size() / 2)
+    run.warn("only " + fixed(100.0 * static_cast<double>(with) / static_cast<double>(preop.size()), 0) +
+             " % of the pre-op vertices lie within " + numberText(reach) +
+             " mm of a segment; check that the map is of the same liver");
+  run.settings["segments"] = {{"reach_mm", reach}, {"vertices_in_a_segment", with}};
+  preop.arrays[kCouinaudSegment] = std::move(found);
+}
+
 void execute(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path folder = arguments.path("out");
   for (const std::string& name : distanceFiles()) run.outputs.announce(folder / name);
@@ -46,8 +83,9 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.settings["distance"] = settingsToJson(settings);
 
   run.progress.report(0, "Reading");
-  const falciform::Surface preop = run.mesh(arguments.path("preop")),
-                           scan = run.surface(arguments.path("scan"));
+  falciform::Surface preop = run.mesh(arguments.path("preop"));
+  const falciform::Surface scan = run.surface(arguments.path("scan"));
+  if (arguments.has("segments")) addSegments(preop, arguments, run);
   const Isometry3d scanFromPreop = run.transform(arguments.path("transform"));
   const DistanceMap map = mapDistances(preop, scan, scanFromPreop, settings, run.progress.part(0.1, 0.9));
   if (map.preopAll.count == 0)
@@ -64,8 +102,8 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
 
 Command distanceCommand() {
   return {"distance", "Distance map",
-          "Maps the signed distance between a registered scan and the pre-operative surface.", declare,
-          execute};
+          "Maps signed distance and curvature difference between a registered scan and the pre-op surface.",
+          declare, execute};
 }
 
 }  // namespace falciform::commandline

@@ -1,5 +1,6 @@
 #include "Modules/CommandLine/DistanceOutputs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "Logic/IO/ResultFiles.h"
@@ -16,10 +17,14 @@ void writeDistance(const DistanceMap& map, const std::filesystem::path& folder, 
   writeSurface(run.outputs.staged(folder / "preop_distance.vtp"), map.preop, Overwrite::Replace);
   writeSurface(run.outputs.staged(folder / "scan_distance.vtp"), map.scan, Overwrite::Replace);
   writeTextFile(run.outputs.staged(folder / "distance.csv"), Overwrite::Replace, toCsv(map));
-  run.frames["preop_distance.vtp"] =
-      "the pre-op surface in the scan's frame, mm; " + std::string(kSignedDistance) +
-      " is positive where the scan lies outside it, NaN where the scan does not reach";
-  run.frames["scan_distance.vtp"] = "the scan in its own frame, mm";
+  std::string arrays =
+      std::string(kSignedDistance) +
+      " is positive where the scan lies outside the pre-op surface, NaN where neither reaches the other";
+  if (map.preop.arrays.count(kCurvatureDifference) > 0)
+    arrays += std::string("; ") + kCurvatureDifference +
+              " is the scan's mean curvature less the pre-op surface's, positive where it is now more convex";
+  run.frames["preop_distance.vtp"] = "the pre-op surface in the scan's frame, mm; " + arrays;
+  run.frames["scan_distance.vtp"] = "the scan in its own frame, mm; " + arrays;
 }
 
 nlohmann::json distanceFigures(const DistanceMap& map) {
@@ -31,15 +36,50 @@ nlohmann::json distanceFigures(const DistanceMap& map) {
   return json;
 }
 
-void tellDistance(const DistanceMap& map, CommandRun& run) {
-  const auto side = [&](const std::string& name, const DistanceStatistics& s) {
-    run.say("distance on the " + name + ": mean " + fixed(s.mean, 2) + ", SD " + fixed(s.sd, 2) +
-            ", median " + fixed(s.median, 2) + ", P95 of the magnitude " + fixed(s.p95Absolute, 2) +
-            ", from " + fixed(s.min, 2) + " to " + fixed(s.max, 2) + " mm (" + std::to_string(s.count) +
-            " points)");
+namespace {
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+/// One line a region; columns stand under each other.
+void tellRegions(const std::vector<RegionFigures>& regions, const DistanceStatistics RegionFigures::*metric,
+                 int decimals, CommandRun& run) {
+  std::size_t width = 6;
+  for (const RegionFigures& region : regions) width = std::max(width, region.name.size());
+  const auto line = [&](const std::string& name, const std::vector<std::string>& cells) {
+    std::string text = "  " + name + std::string(width - name.size(), ' ');
+    for (const std::string& cell : cells) text += padded(cell, 10);
+    run.say(text);
   };
-  side("pre-op surface", map.preopAll);
-  side("scan", map.scanAll);
+  line("region",
+       {"area cm2", "covered", "points", "mean", "SD", "median", "least", "greatest", "RMS", "P95"});
+  for (const RegionFigures& region : regions) {
+    const DistanceStatistics& s = region.*metric;
+    std::vector<std::string> cells{fixed(region.areaMm2 / 100, 1), fixed(100 * region.coverage, 1) + " %",
+                                   std::to_string(s.count)};
+    for (const double value : {s.mean, s.sd, s.median, s.min, s.max, s.rms, s.p95Absolute})
+      cells.push_back(fixed(value, decimals));
+    line(region.name, cells);
+  }
+}
+
+}  // namespace
+
+void tellDistance(const DistanceMap& map, CommandRun& run) {
+  run.say(
+      "signed distance in mm: + where the scan lies outside the pre-op surface, - where inside it; P95 of "
+      "the magnitude; places that are not covered enter no figure");
+  run.say("from each vertex of the pre-op surface to the scan:");
+  tellRegions(map.preopRegions, &RegionFigures::distance, 2, run);
+  run.say("from each point of the scan to the pre-op surface:");
+  tellRegions(map.scanRegions, &RegionFigures::distance, 2, run);
+  if (map.preopRegions.front().curvatureDifference.count > 0) {
+    run.say(
+        "mean curvature of the scan less that of the pre-op surface in 1/mm, at the pre-op vertices: + where "
+        "the liver is now more convex, - where flatter or hollow");
+    tellRegions(map.preopRegions, &RegionFigures::curvatureDifference, 4, run);
+  }
   run.say("the scan covers " + fixed(100 * map.coverage, 1) + " % of the pre-op surface");
 }
 

@@ -11,17 +11,27 @@ namespace {
 
 std::string count(Index value) { return std::to_string(value); }
 
-std::vector<std::string> statisticsRow(const std::string& side, const std::string& patch,
-                                       const DistanceStatistics& s) {
-  return {side,
-          patch,
-          count(s.count),
-          fixed(s.mean, 2),
-          fixed(s.sd, 2),
-          fixed(s.median, 2),
-          fixed(s.p95Absolute, 2),
-          fixed(s.min, 2),
-          fixed(s.max, 2)};
+void regionRows(HtmlTable& table, const std::string& side, const std::vector<RegionFigures>& regions,
+                const DistanceStatistics RegionFigures::*metric, int decimals) {
+  for (const RegionFigures& region : regions) {
+    const DistanceStatistics& s = region.*metric;
+    std::vector<std::string> cells{side, region.name, fixed(region.areaMm2 / 100, 1),
+                                   fixed(100 * region.coverage, 1), count(s.count)};
+    for (const double value : {s.mean, s.sd, s.median, s.rms, s.p95Absolute, s.min, s.max})
+      cells.push_back(fixed(value, decimals));
+    table.row(cells);
+  }
+}
+
+/// Both sides, by region.
+std::string regionTable(const DistanceMap& map, const DistanceStatistics RegionFigures::*metric,
+                        int decimals) {
+  HtmlTable table({"Side", "Region", "Area (cm²)", "Covered (%)", "Points", "Mean", "SD", "Median", "RMS",
+                   "P95 of magnitude", "Least", "Greatest"},
+                  2);
+  regionRows(table, "pre-op", map.preopRegions, metric, decimals);
+  regionRows(table, "scan", map.scanRegions, metric, decimals);
+  return table.html();
 }
 
 /// A 4 x 4 as rows of text.
@@ -161,19 +171,20 @@ std::string targetSection(const CaseOutcome& outcome) {
 
 std::string distanceSection(const CaseOutcome& outcome) {
   const DistanceMap& map = *outcome.distance;
-  HtmlTable table(
-      {"Side", "Patch", "Points", "Mean", "SD", "Median", "P95 of magnitude", "Least", "Greatest"}, 2);
-  table.row(statisticsRow("pre-op", "all", map.preopAll));
-  for (const auto& [label, s] : map.preopByPatch)
-    table.row(statisticsRow("pre-op", patchName(map.preop, label), s));
-  table.row(statisticsRow("scan", "all", map.scanAll));
-  for (const auto& [label, s] : map.scanByPatch)
-    table.row(statisticsRow("scan", patchName(map.scan, label), s));
-  return htmlSection(
+  std::string html = htmlSection(
       "Signed distance (mm)",
       htmlParagraph("Positive where the scan lies outside the pre-op surface; only where the scan reaches: " +
-                    fixed(100 * map.coverage, 1) + " % of the pre-op surface.") +
-          table.html());
+                    fixed(100 * map.coverage, 1) +
+                    " % of the pre-op surface. Pre-op: from each of its vertices " +
+                    "to the scan; scan: from each of its points to the pre-op surface.") +
+          regionTable(map, &RegionFigures::distance, 2));
+  if (map.preopRegions.front().curvatureDifference.count > 0)
+    html += htmlSection(
+        "Mean curvature difference (1/mm)",
+        htmlParagraph("The scan's less the pre-op surface's: positive where the liver is now more "
+                      "convex. No value near the scan's border.") +
+            regionTable(map, &RegionFigures::curvatureDifference, 4));
+  return html;
 }
 
 std::string settingsSection(const CaseSettings& settings) {

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "Logic/Core/Errors.h"
 #include "Logic/IO/ResultFiles.h"
 #include "Testing/Logic/IO/ResultSamples.h"
 #include "Testing/Logic/IO/SurfaceSamples.h"
@@ -61,13 +62,32 @@ TEST(DistanceJson, StatesUnitsAndComesBack) {
   EXPECT_EQ(toJson(distanceFromJson(json::parse(written.dump()), map.preop, map.scan)), written);
 }
 
-TEST(DistanceCsv, HasARowPerSideAndPatchAndQuotesNames) {
+TEST(DistanceJson, OfACaseSavedBeforeRegionsWereGivesWhatItKnows) {
+  const DistanceMap map = sampleDistance();
+  json old = toJson(map);
+  old["preop"].erase("regions");
+  const DistanceMap read = distanceFromJson(old, map.preop, map.scan);
+  ASSERT_EQ(read.preopRegions.size(), 3U);  // all, two patches
+  EXPECT_EQ(read.preopRegions[2].name, "hilum, left");
+  EXPECT_EQ(read.preopRegions[2].distance.mean, 1.25);
+  EXPECT_TRUE(std::isnan(read.preopRegions[0].areaMm2));
+  old["scan"]["regions"][0]["kind"] = "lobe";
+  EXPECT_THROW((void)distanceFromJson(old, map.preop, map.scan), InputError);
+}
+
+TEST(DistanceCsv, HasARowPerSideAndRegionAndQuotesNames) {
   EXPECT_EQ(toCsv(sampleDistance()),
-            "side,patch,count,mean_mm,sd_mm,median_mm,p95_absolute_mm,min_mm,max_mm,rms_mm,mean_absolute_mm\n"
-            "preop,all,4,1.25,0.5,1,2,-1,2.5,1.5,1.1\n"
-            "preop,falciform,2,1.25,0.5,1,2,-1,2.5,1.5,1.1\n"
-            "preop,\"hilum, left\",2,1.25,0.5,1,2,-1,2.5,1.5,1.1\n"
-            "scan,all,0,,,,,,,,\n");
+            "side,region,kind,area_mm2,covered_area_mm2,coverage,"
+            "count,mean_mm,sd_mm,median_mm,p95_absolute_mm,min_mm,max_mm,rms_mm,mean_absolute_mm,"
+            "curvature_difference_count,curvature_difference_mean_per_mm,curvature_difference_sd_per_mm,"
+            "curvature_difference_median_per_mm,curvature_difference_p95_absolute_per_mm,"
+            "curvature_difference_min_per_mm,curvature_difference_max_per_mm,"
+            "curvature_difference_rms_per_mm,curvature_difference_mean_absolute_per_mm\n"
+            "preop,all,all,100,50,0.5,4,1.25,0.5,1,2,-1,2.5,1.5,1.1,"
+            "3,0.25,0.125,0.25,0.5,-0.5,0.75,0.5,0.375\n"
+            "preop,\"hilum, left\",patch,20,20,1,2,1.25,0.5,1,2,-1,2.5,1.5,1.1,0,,,,,,,,\n"
+            "preop,segment IV,segment,40,0,0,0,,,,,,,,,0,,,,,,,,\n"
+            "scan,all,all,,,0,0,,,,,,,,,0,,,,,,,,\n");
 }
 
 }  // namespace

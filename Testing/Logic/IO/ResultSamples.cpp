@@ -46,6 +46,11 @@ DistanceMap sampleDistance() {
   map.preopByPatch[1].count = map.preopByPatch[3].count = 2;
   map.scanAll = {0, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
   map.coverage = 0.5;
+  const DistanceStatistics bend{3, 0.25, 0.125, 0.25, 0.5, -0.5, 0.75, 0.5, 0.375};
+  map.preopRegions = {{RegionFigures::Kind::All, 0, "all", 100, 0.5, map.preopAll, bend},
+                      {RegionFigures::Kind::Patch, 3, "hilum, left", 20, 1, map.preopByPatch[3], map.scanAll},
+                      {RegionFigures::Kind::Segment, 4, "segment IV", 40, 0, map.scanAll, map.scanAll}};
+  map.scanRegions = {{RegionFigures::Kind::All, 0, "all", kNone, 0, map.scanAll, map.scanAll}};
   return map;
 }
 
