@@ -29,7 +29,4 @@ class BentBlocks {
   std::vector<std::uint8_t> cells_;
 };
 
-/// Trilinear in the grid's voxel coordinates; beyond its border as at the border.
-[[nodiscard]] Vector3d displacementAt(const DisplacementGrid& grid, const Vector3d& index);
-
 }  // namespace falciform

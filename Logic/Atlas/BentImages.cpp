@@ -7,47 +7,12 @@
 
 #include "Logic/Atlas/BentBlocks.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Geometry/VolumeSampling.h"
 
 namespace falciform {
 namespace {
 
 constexpr double kGridToleranceMm = 1e-4, kAroundSpacingMm = 3;
-
-template <class T>
-struct Nearest {
-  const Volume<T>& volume;
-  [[nodiscard]] T operator()(const Vector3d& index, T background) const {
-    const Vector3d whole = (index.array() + 0.5).floor();
-    if (!((whole.array() >= 0).all() && (whole.array() < volume.size.array().template cast<double>()).all()))
-      return background;
-    return volume.at(static_cast<int>(whole.x()), static_cast<int>(whole.y()), static_cast<int>(whole.z()));
-  }
-};
-
-/// Up to half a voxel beyond the outer centres the outer values go on: voxels are boxes, not points.
-struct Trilinear {
-  const Image& volume;
-  [[nodiscard]] float operator()(const Vector3d& index, float background) const {
-    std::array<int, 3> low{}, high{};
-    std::array<float, 3> t{};
-    for (int a = 0; a < 3; ++a) {
-      const double last = volume.size[a] - 1;
-      if (!(index[a] >= -0.5 && index[a] <= last + 0.5)) return background;
-      const double at = std::clamp(index[a], 0.0, last);
-      const auto k = static_cast<std::size_t>(a);
-      low[k] = std::min(static_cast<int>(at), std::max(0, volume.size[a] - 2));
-      high[k] = std::min(low[k] + 1, volume.size[a] - 1);
-      t[k] = static_cast<float>(at - low[k]);
-    }
-    const auto row = [&](int j, int k) {
-      const float* values = &volume.voxels[volume.offset(0, j, k)];
-      return values[low[0]] + t[0] * (values[high[0]] - values[low[0]]);
-    };
-    const float near = row(low[1], low[2]) + t[1] * (row(high[1], low[2]) - row(low[1], low[2]));
-    const float far = row(low[1], high[2]) + t[1] * (row(high[1], high[2]) - row(low[1], high[2]));
-    return near + t[2] * (far - near);
-  }
-};
 
 /// Calls body(j, k) for every row of a grid, on all threads; reports from the caller's.
 void forEachRow(const Vector3i& size, const Progress& progress, const char* stage,
@@ -158,11 +123,11 @@ float backgroundOf(const Image& ct) {
 }
 
 Image bendImage(const UpdateMap& map, const Image& ct, float background, const Progress& progress) {
-  return bendVolume(map, ct, background, Trilinear{ct}, progress);
+  return bendVolume(map, ct, background, TrilinearVoxels{ct}, progress);
 }
 
 LabelMap bendLabels(const UpdateMap& map, const LabelMap& labels, const Progress& progress) {
-  return bendVolume<std::uint16_t>(map, labels, 0, Nearest<std::uint16_t>{labels}, progress);
+  return bendVolume<std::uint16_t>(map, labels, 0, NearestVoxel<std::uint16_t>{labels}, progress);
 }
 
 }  // namespace falciform

@@ -4,9 +4,9 @@ namespace falciform::commandline {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{
-      importCommand(),     patchesCommand(),   registerCommand(),   distanceCommand(), cohortCommand(),
-      runCommand(),        demoCommand(),      synthesiseCommand(), trialsCommand(),   meshCommand(),
-      atlasBuildCommand(), atlasInfoCommand(), updateCommand(),     infoCommand()};
+      importCommand(), patchesCommand(),    registerCommand(),  distanceCommand(),   normaliseCommand(),
+      cohortCommand(), runCommand(),        demoCommand(),      synthesiseCommand(), trialsCommand(),
+      meshCommand(),   atlasBuildCommand(), atlasInfoCommand(), updateCommand(),     infoCommand()};
   return all;
 }
 

@@ -19,6 +19,7 @@ struct Command {
 [[nodiscard]] Command patchesCommand();
 [[nodiscard]] Command registerCommand();
 [[nodiscard]] Command distanceCommand();
+[[nodiscard]] Command normaliseCommand();
 [[nodiscard]] Command cohortCommand();
 [[nodiscard]] Command runCommand();
 [[nodiscard]] Command demoCommand();

@@ -13,6 +13,7 @@
 #include "Logic/Biomechanics/MeshSettings.h"
 #include "Logic/Deformation/Cohort/LabelPermutation.h"
 #include "Logic/Deformation/DistanceMapping.h"
+#include "Logic/Deformation/Normalisation/LiverRegistration.h"
 #include "Logic/Registration/RegistrationSettings.h"
 #include "Logic/Registration/Trials/Trials.h"
 #include "Logic/Segmentation/SurfaceImport.h"
@@ -24,9 +25,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands{"import",      "patches",    "register",   "distance", "cohort",
-                                         "run",         "demo",       "synthesise", "trials",   "mesh",
-                                         "atlas build", "atlas info", "info"};
+const std::vector<std::string> kCommands{"import", "patches",     "register",   "distance",   "normalise",
+                                         "cohort", "run",         "demo",       "synthesise", "trials",
+                                         "mesh",   "atlas build", "atlas info", "info"};
 
 /// A call of a command of one word or two.
 std::vector<std::string> call(const std::string& command, const std::string& flag) {
@@ -91,6 +92,7 @@ TEST(Help, EverySettingOfEveryCommandIsListed) {
   expectSettingsInHelp<RegistrationSettings>("register");
   expectSettingsInHelp<DistanceSettings>("distance");
   expectSettingsInHelp<PermutationSettings>("cohort");
+  expectSettingsInHelp<NormalisationSettings>("normalise");
   expectSettingsInHelp<TrialSettings>("trials");
   expectSettingsInHelp<MeshSettings>("atlas build");
   expectSettingsInHelp<MeshSettings>("mesh");

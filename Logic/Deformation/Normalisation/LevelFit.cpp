@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "Logic/Core/Parallel.h"
-#include "Logic/Deformation/Normalisation/FieldSample.h"
 
 namespace falciform {
 
 namespace {
 
-/// Three values and a zero: one register.
-using Row = Eigen::Vector4f;
+using Row = Similarity::Row;
 using Rows = std::vector<Row>;
 
 /// Sums over samples are made in this many parts, whatever the number of threads, and added up in order.
@@ -20,41 +18,42 @@ constexpr std::size_t kParts = 16;
 
 class Level {
  public:
-  Level(const GridField& source, const DistanceSamples& samples, BasisWarp& warp, const LevelPlan& plan)
-      : source_(source), samples_(samples), warp_(warp), plan_(plan), count_(samples.distance.size()) {}
+  Level(const Similarity& similarity, const Points& places, BasisWarp& warp, const LevelPlan& plan)
+      : similarity_(similarity),
+        places_(places),
+        warp_(warp),
+        plan_(plan),
+        count_(static_cast<std::size_t>(places.rows())) {}
 
   void fit(const Progress& progress) {
-    linearise(samples_.places);
+    double cost = similarity_.linearise(places_, off_, slope_);
     chooseCentres();
     if (active_.empty()) return;
     weigh();
-    double squares = sumOfSquares();
     for (int step = 0; step < plan_.steps; ++step) {
       progress.report(static_cast<double>(step) / plan_.steps);
       const Points before = warp_.coefficients;
       const Rows change = solve();
-      double share = 1;
-      bool better = false;
-      for (int attempt = 0; attempt < 3 && !better; ++attempt, share /= 2) {
+      double share = 1, now = cost;
+      for (int attempt = 0; attempt < 3; ++attempt, share /= 2) {
         warp_.coefficients = before;
         for (std::size_t k = 0; k < active_.size(); ++k)
           warp_.coefficients.row(active_[k]) += share * change[k].head<3>().transpose().cast<double>();
         warp_.limitCompression(plan_.compressionLimit);
-        linearise(moved());
-        better = sumOfSquares() < squares;
+        now = similarity_.linearise(moved(), off_, slope_);
+        if (now < cost) break;
       }
-      if (!better) {
+      if (now >= cost) {
         warp_.coefficients = before;
         break;
       }
-      const double now = sumOfSquares();
-      if (now > 0.97 * squares) break;
-      squares = now;
+      if (cost - now < plan_.leastGain * std::abs(cost)) break;
+      cost = now;
     }
   }
 
   [[nodiscard]] Points moved() const {
-    Points places = samples_.places;
+    Points places = places_;
     if (active_.empty()) return places;
     Rows c(active_.size(), Row::Zero());
     for (std::size_t k = 0; k < active_.size(); ++k)
@@ -79,34 +78,6 @@ class Level {
     });
   }
 
-  void linearise(const Points& places) {
-    off_.resize(count_);
-    slope_.resize(count_);
-    const double band = plan_.bandMm;
-    forEachPart([&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const FieldSample sample = sampleField(source_, places.row(static_cast<Index>(i)).transpose());
-        off_[i] = static_cast<float>(std::clamp(sample.value, -band, band) -
-                                     std::clamp<double>(samples_.distance[i], -band, band));
-        const bool seen = std::abs(sample.value) < band;
-        slope_[i].setZero();
-        if (seen) slope_[i].head<3>() = sample.slope.cast<float>();
-      }
-    });
-  }
-
-  [[nodiscard]] double sumOfSquares() const {
-    std::array<double, kParts> parts{};
-    forEachPart([&](std::size_t part, std::size_t begin, std::size_t end) {
-      double sum = 0;
-      for (std::size_t i = begin; i < end; ++i) sum += double(off_[i]) * off_[i];
-      parts[part] = sum;
-    });
-    double total = 0;
-    for (const double sum : parts) total += sum;
-    return total;
-  }
-
   void chooseCentres() {
     const auto centres = static_cast<std::size_t>(warp_.centres());
     std::vector<std::vector<std::array<float, 2>>> parts(kParts);
@@ -115,7 +86,7 @@ class Level {
       for (std::size_t i = begin; i < end; ++i) {
         const bool seen = !slope_[i].isZero(0);
         if (!seen) continue;
-        warp_.forEachBasis(samples_.places.row(static_cast<Index>(i)).transpose(),
+        warp_.forEachBasis(places_.row(static_cast<Index>(i)).transpose(),
                            [&](Index centre, const Vector3d& away) {
                              const auto w = static_cast<float>(wu(away.norm()));
                              auto& sums = parts[part][static_cast<std::size_t>(centre)];
@@ -124,8 +95,10 @@ class Level {
                            });
       }
     });
-    const double all = std::sqrt(sumOfSquares() / std::max<double>(1, static_cast<double>(count_)));
-    const double least = std::max(plan_.idleMm, plan_.idleShare * all);
+    double all = 0;
+    for (const float off : off_) all += double(off) * off;
+    const double least = std::max(
+        plan_.idle, plan_.idleShare * std::sqrt(all / std::max<double>(1, static_cast<double>(count_))));
     numberOf_.assign(centres, -1);
     for (std::size_t c = 0; c < centres; ++c) {
       double weight = 0, squares = 0;
@@ -142,7 +115,7 @@ class Level {
   void weigh() {
     start_.assign(count_ + 1, 0);
     const auto visit = [&](std::size_t i, auto&& use) {
-      warp_.forEachBasis(samples_.places.row(static_cast<Index>(i)).transpose(),
+      warp_.forEachBasis(places_.row(static_cast<Index>(i)).transpose(),
                          [&](Index centre, const Vector3d& away) {
                            const int column = numberOf_[static_cast<std::size_t>(centre)];
                            if (column >= 0) use(column, away);
@@ -247,8 +220,8 @@ class Level {
     return x;
   }
 
-  const GridField& source_;
-  const DistanceSamples& samples_;
+  const Similarity& similarity_;
+  const Points& places_;
   BasisWarp& warp_;
   const LevelPlan& plan_;
   std::size_t count_;
@@ -263,11 +236,11 @@ class Level {
 
 }  // namespace
 
-BasisWarp fitLevel(const GridField& source, DistanceSamples& samples, BasisWarp lattice,
-                   const LevelPlan& plan, const Progress& progress) {
-  Level level(source, samples, lattice, plan);
+BasisWarp fitLevel(const Similarity& similarity, Points& places, BasisWarp lattice, const LevelPlan& plan,
+                   const Progress& progress) {
+  Level level(similarity, places, lattice, plan);
   level.fit(progress);
-  samples.places = level.moved();
+  places = level.moved();
   return lattice;
 }
 

@@ -27,7 +27,7 @@ constexpr double kArmMm = 100;  // turns and stretches are measured by what they
 
 class Alignment {
  public:
-  Alignment(const GridField& source, const DistanceSamples& target, double bandMm)
+  Alignment(const GridField& source, const FieldSamples& target, double bandMm)
       : source_(source), target_(target), band_(bandMm), centre_(target.places.colwise().mean()) {}
 
   /// Unknowns 0-2 shift, 3-11 linear part about the centre; `turnsOnly` keeps it rigid.
@@ -55,14 +55,14 @@ class Alignment {
 
  private:
   [[nodiscard]] Normal normalAt(const Eigen::Affine3d& map) const {
-    const std::size_t count = target_.distance.size();
+    const std::size_t count = target_.values.size();
     std::vector<Normal> parts(count / kChunk + 1);
     forEachChunk(count, kChunk, [&](std::size_t begin, std::size_t end) {
       Normal& part = parts[begin / kChunk];
       for (std::size_t i = begin; i < end; ++i) {
         const Vector3d from = target_.places.row(static_cast<Index>(i)).transpose();
         const FieldSample sample = sampleField(source_, map * from);
-        const double wanted = std::clamp<double>(target_.distance[i], -band_, band_);
+        const double wanted = std::clamp<double>(target_.values[i], -band_, band_);
         const double off = std::clamp(sample.value, -band_, band_) - wanted;
         part.squares += off * off;
         if (std::abs(sample.value) >= band_) continue;
@@ -115,14 +115,14 @@ class Alignment {
   }
 
   const GridField& source_;
-  const DistanceSamples& target_;
+  const FieldSamples& target_;
   double band_;
   Vector3d centre_;
 };
 
 }  // namespace
 
-Eigen::Affine3d alignLivers(const GridField& source, const DistanceSamples& target, double bandMm,
+Eigen::Affine3d alignLivers(const GridField& source, const FieldSamples& target, double bandMm,
                             const Eigen::Affine3d& start, const Progress& progress) {
   const Alignment alignment(source, target, bandMm);
   return alignment.fit(alignment.fit(start, true, progress.part(0, 0.5)), false, progress.part(0.5, 1));

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "Logic/Core/Errors.h"
-#include "Logic/Deformation/Normalisation/DistanceSamples.h"
+#include "Logic/Deformation/Normalisation/FieldSample.h"
+#include "Logic/Deformation/Normalisation/FieldSamples.h"
+#include "Logic/Deformation/Normalisation/ImageField.h"
 #include "Logic/Deformation/Normalisation/LevelFit.h"
 #include "Logic/Deformation/Normalisation/LiverAlignment.h"
 #include "Logic/Geometry/GridField.h"
@@ -49,47 +51,96 @@ double spacingOf(int level, double coarsestMm, const NormalisationSettings& sett
   return coarsestMm * std::pow(settings.finestMm / coarsestMm, share);
 }
 
-LevelPlan planOf(double spacingMm, const Resolution& resolution, const NormalisationSettings& settings) {
-  LevelPlan plan;
+/// How far from the surfaces a level compares distances.
+double bandOf(double spacingMm, const Resolution& resolution) {
   // Coarse levels look far, so that a lobe is drawn out of where it only seems to fit; fine ones stay near.
   const double reach = spacingMm > kResolutions[1].fromSpacingMm ? spacingMm : spacingMm / 2;
-  plan.bandMm = std::clamp(reach, 2 * resolution.cellMm, resolution.bandMm);
-  plan.compressionLimit = settings.compressionLimit;
-  return plan;
+  return std::clamp(reach, 2 * resolution.cellMm, resolution.bandMm);
 }
 
-}  // namespace
+/// What the levels of one resolution compare.
+struct Fields {
+  GridField sourceDistance, targetDistance;
+  GridField sourceImage, targetImage;  ///< empty where there are none
+};
 
-LiverMap registerLivers(const Surface& target, const Surface& source, const NormalisationSettings& settings,
-                        const Progress& progress) {
+Fields fieldsOf(const Surface& target, const Surface& source, const CtPair* images,
+                const Resolution& resolution) {
+  Fields fields;
+  fields.sourceDistance = signedDistanceField(source, resolution.cellMm, resolution.bandMm);
+  fields.targetDistance = signedDistanceField(target, resolution.cellMm, resolution.bandMm);
+  if (images == nullptr) return fields;
+  fields.targetImage = imageField(images->target, target, resolution.cellMm, resolution.bandMm);
+  fields.sourceImage = imageField(images->source, source, resolution.cellMm, resolution.bandMm);
+  return fields;
+}
+
+constexpr double kLowestHu = -150, kHighestHu = 250, kAroundMm = 8;
+
+/// Only what lies in the target's liver or near it.
+FieldSamples imageSamples(const Fields& fields, double everyMm) {
+  FieldSamples all = samplesOf(fields.targetDistance, 1e9, everyMm), kept;
+  std::vector<Index> rows;
+  for (std::size_t i = 0; i < all.values.size(); ++i)
+    if (all.values[i] < kAroundMm) rows.push_back(static_cast<Index>(i));
+  kept.places = all.places(rows, Eigen::all);
+  for (Index i = 0; i < kept.places.rows(); ++i)
+    kept.values.push_back(
+        static_cast<float>(sampleField(fields.targetImage, kept.places.row(i).transpose()).value));
+  return kept;
+}
+
+LiverMap registerBoth(const Surface& target, const Surface& source, const CtPair* images,
+                      const NormalisationSettings& settings, const Progress& progress) {
   checkClosed(target, "target");
   checkClosed(source, "source");
   const auto box = boundingBox(source.points);
   const double coarsest = std::max((box.row(1) - box.row(0)).maxCoeff() / 2, settings.finestMm);
+  LevelPlan plan;
+  plan.compressionLimit = settings.compressionLimit;
+  if (images != nullptr) plan.leastGain = 0.001;  // information grows by small shares
   LiverMap map;
   map.sourceFromTarget = Eigen::Translation3d(centroid(source.points) - centroid(target.points));
   int level = 0;
   for (const Resolution& resolution : kResolutions) {
     if (level > 0 && level == settings.levels) break;
     progress.report(static_cast<double>(level) / settings.levels, "Distances");
-    const GridField sourceField = signedDistanceField(source, resolution.cellMm, resolution.bandMm),
-                    targetField = signedDistanceField(target, resolution.cellMm, resolution.bandMm);
+    const Fields fields = fieldsOf(target, source, images, resolution);
     if (level == 0)
-      map.sourceFromTarget =
-          alignLivers(sourceField, samplesOf(targetField, resolution.bandMm, resolution.cellMm),
-                      resolution.bandMm, map.sourceFromTarget);
+      map.sourceFromTarget = alignLivers(
+          fields.sourceDistance, samplesOf(fields.targetDistance, resolution.bandMm, resolution.cellMm),
+          resolution.bandMm, map.sourceFromTarget);
     for (; level < settings.levels; ++level) {
       const double spacing = spacingOf(level, coarsest, settings);
       if (spacing < resolution.fromSpacingMm) break;
       progress.report(static_cast<double>(level) / settings.levels, "Adaptive bases");
-      const LevelPlan plan = planOf(spacing, resolution, settings);
-      DistanceSamples samples =
-          samplesOf(targetField, plan.bandMm, std::clamp(spacing / kSamplesPerSpacing, 1.0, 8.0));
+      const double every = std::clamp(spacing / kSamplesPerSpacing, 1.0, 8.0),
+                   band = bandOf(spacing, resolution);
+      FieldSamples samples =
+          images == nullptr ? samplesOf(fields.targetDistance, band, every) : imageSamples(fields, every);
       samples.places = map.toSource(samples.places);
-      map.warps.push_back(fitLevel(sourceField, samples, latticeOver(source, spacing), plan));
+      const auto fit = [&](const Similarity& similarity) {
+        map.warps.push_back(fitLevel(similarity, samples.places, latticeOver(source, spacing), plan));
+      };
+      if (images == nullptr)
+        fit(DistanceSimilarity(fields.sourceDistance, samples.values, band));
+      else
+        fit(MutualInformation(fields.sourceImage, samples.values, kLowestHu, kHighestHu));
     }
   }
   return map;
+}
+
+}  // namespace
+
+LiverMap registerLivers(const Surface& target, const Surface& source, const NormalisationSettings& settings,
+                        const Progress& progress) {
+  return registerBoth(target, source, nullptr, settings, progress);
+}
+
+LiverMap registerLivers(const Surface& target, const Surface& source, const CtPair& images,
+                        const NormalisationSettings& settings, const Progress& progress) {
+  return registerBoth(target, source, &images, settings, progress);
 }
 
 }  // namespace falciform

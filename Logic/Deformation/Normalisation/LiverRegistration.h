@@ -5,6 +5,7 @@
 #include "Logic/Core/Progress.h"
 #include "Logic/Core/Settings.h"
 #include "Logic/Core/Surface.h"
+#include "Logic/Core/Volume.h"
 #include "Logic/Deformation/Normalisation/LiverMap.h"
 
 namespace falciform {
@@ -13,7 +14,7 @@ namespace falciform {
 struct NormalisationSettings {
   int levels = 15;                ///< of basis functions, from three centres across the liver
   double finestMm = 6;            ///< spacing of the last level's centres
-  double compressionLimit = 0.6;  ///< of each level: see BasisWarp::compression
+  double compressionLimit = 0.5;  ///< of each level: see BasisWarp::compression
 };
 
 template <class Visitor>
@@ -34,6 +35,18 @@ void describe(NormalisationSettings& s, Visitor&& field) {
 /// Throws InputError if a surface is not closed or faces inwards. Says nothing about motion along the
 /// surface.
 [[nodiscard]] LiverMap registerLivers(const Surface& target, const Surface& source,
+                                      const NormalisationSettings& settings = {},
+                                      const Progress& progress = {});
+
+/// The CTs of the two patients.
+struct CtPair {
+  const Image& target;
+  const Image& source;
+};
+
+/// The same with the thesis's measure: rigid and affine by the surfaces, the levels by mutual information of
+/// the CTs in and around the target's liver, soft tissue alone (-150 to 250 HU).
+[[nodiscard]] LiverMap registerLivers(const Surface& target, const Surface& source, const CtPair& images,
                                       const NormalisationSettings& settings = {},
                                       const Progress& progress = {});
 

@@ -7,12 +7,12 @@ namespace falciform {
 
 /// Places of the target, where they lie now in the source's frame, and what the source's field should say
 /// there.
-struct DistanceSamples {
-  Points places;                ///< N x 3, mm, source frame
-  std::vector<float> distance;  ///< N values: the target's own field, mm
+struct FieldSamples {
+  Points places;              ///< N x 3, mm, source frame
+  std::vector<float> values;  ///< N values: the target's own field there
 };
 
 /// Places on a lattice of spacing `everyMm` nearer than `bandMm` to the target's surface, in its frame.
-[[nodiscard]] DistanceSamples samplesOf(const GridField& target, double bandMm, double everyMm);
+[[nodiscard]] FieldSamples samplesOf(const GridField& target, double bandMm, double everyMm);
 
 }  // namespace falciform

@@ -1,4 +1,4 @@
-#include "Logic/Deformation/Normalisation/DistanceSamples.h"
+#include "Logic/Deformation/Normalisation/FieldSamples.h"
 
 #include <cmath>
 
@@ -7,10 +7,10 @@
 
 namespace falciform {
 
-DistanceSamples samplesOf(const GridField& target, double bandMm, double everyMm) {
+FieldSamples samplesOf(const GridField& target, double bandMm, double everyMm) {
   const Vector3d size = (target.counts.array() - 1).cast<double>() * target.cellMm;
   const Vector3i counts = (size / everyMm).array().floor().cast<int>() + 1;
-  std::vector<DistanceSamples> slices(static_cast<std::size_t>(counts.z()));
+  std::vector<FieldSamples> slices(static_cast<std::size_t>(counts.z()));
   forEachChunk(slices.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t z = begin; z < end; ++z) {
       std::vector<Vector3d> places;
@@ -20,18 +20,18 @@ DistanceSamples samplesOf(const GridField& target, double bandMm, double everyMm
           const double value = sampleField(target, place).value;
           if (std::abs(value) >= bandMm) continue;
           places.push_back(place);
-          slices[z].distance.push_back(static_cast<float>(value));
+          slices[z].values.push_back(static_cast<float>(value));
         }
       slices[z].places = Eigen::Map<const Points>(places.empty() ? nullptr : places.front().data(),
                                                   static_cast<Index>(places.size()), 3);
     }
   });
-  DistanceSamples samples;
-  for (const DistanceSamples& slice : slices)
-    samples.distance.insert(samples.distance.end(), slice.distance.begin(), slice.distance.end());
-  samples.places.resize(static_cast<Index>(samples.distance.size()), 3);
+  FieldSamples samples;
+  for (const FieldSamples& slice : slices)
+    samples.values.insert(samples.values.end(), slice.values.begin(), slice.values.end());
+  samples.places.resize(static_cast<Index>(samples.values.size()), 3);
   Index row = 0;
-  for (const DistanceSamples& slice : slices) {
+  for (const FieldSamples& slice : slices) {
     samples.places.middleRows(row, slice.places.rows()) = slice.places;
     row += slice.places.rows();
   }
