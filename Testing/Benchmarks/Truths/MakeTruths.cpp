@@ -14,13 +14,10 @@
 #include "Logic/Core/Errors.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/IO/SurfaceFiles.h"
-#include "Logic/IO/VolumeFiles.h"
-#include "Logic/Segmentation/SurfaceImport.h"
 #include "Testing/Benchmarks/Stopwatch.h"
+#include "Testing/Benchmarks/Truths/SegmentedLivers.h"
 #include "Testing/Benchmarks/Truths/TruthFiles.h"
-#include "Testing/Benchmarks/Truths/TruthPatches.h"
 #include "Testing/Benchmarks/Truths/TruthTable.h"
-#include "Testing/Support/RealData.h"
 #include "Testing/Support/TemporaryFolder.h"
 
 namespace falciform::bench {
@@ -73,18 +70,6 @@ Wish parse(int count, char** words) {
   return wish;
 }
 
-Surface paintedLiver(int liver) {
-  const std::filesystem::path file =
-      test::realData() / "cohort" / "couinaud" / ("3Dircadb-" + std::to_string(liver) + ".nii.gz");
-  const LabelMap segments = readLabelMap(file).value;
-  SurfaceImportSettings settings;
-  settings.edgeLengthMm = kSurfaceEdgeMm;
-  Surface surface = importSurface(segments, settings).surface;
-  surface.normals.resize(0, 3);
-  surface.patch = paintedBySegments(surface, segments);
-  return surface;
-}
-
 void makeCase(const Surface& preop, int liver, PackedLobe lobe, std::uint64_t seed, double edgeMm,
               const std::filesystem::path& calculix, const std::filesystem::path& folder) {
   const TruthPlan plan = drawTruth(seed, lobe);
@@ -127,7 +112,7 @@ int run(const Wish& wish) {
         continue;
       }
       std::filesystem::create_directories(wish.out);
-      const Surface preop = paintedLiver(liver);
+      const Surface preop = importPainted(readSegments(liver), kSurfaceEdgeMm);
       if (wish.paintOnly) {
         std::filesystem::create_directories(folder);
         writeSurface(folder / "preop.vtp", preop, Overwrite::Replace);

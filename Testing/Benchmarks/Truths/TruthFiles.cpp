@@ -54,47 +54,56 @@ double optimalRigidMm(const TruthTargets& targets) {
   return targetErrors(targets.preop, targets.moved, fitRigid(targets.preop, targets.moved)).mean();
 }
 
+nlohmann::json truthOf(const ScannerPlan& plan, const Surface& preop, const TruthScan& scan,
+                       const TruthTargets& targets) {
+  const VectorXd way = (targets.moved - targets.preop).rowwise().norm();
+  return {{"frame_preop", "LPS mm"},
+          {"frame_scan", "scanner mm"},
+          {"scannerFromPreop_rigid", matrixToJson(scan.scannerFromPreop)},
+          {"coverage", scan.coverage},
+          {"noise_mm", plan.noiseMm},
+          {"outlier_fraction", plan.outlierShare},
+          {"targets_preop_mm", rows(targets.preop)},
+          {"targets_scanner_mm", rows(transformed(targets.moved, scan.scannerFromPreop))},
+          {"target_displacement_mean_mm", way.mean()},
+          {"target_displacement_max_mm", way.maxCoeff()},
+          {"optimal_rigid_target_error_mean_mm", optimalRigidMm(targets)},
+          {"scan_points", scan.scan.size()},
+          {"scan_patch_points", patchCounts(scan.scan)},
+          {"preop_patch_points", patchCounts(preop)},
+          {"seed", plan.seed}};
+}
+
+void writeTruthSurfaces(const std::filesystem::path& folder, const Surface& preop, const Surface& moved,
+                        const TruthScan& scan) {
+  writeSurface(folder / "preop.vtp", preop, Overwrite::Replace);
+  writeSurface(folder / "scan.vtp", scan.scan, Overwrite::Replace);
+  writeSurface(folder / "truth_surface.vtp", transformed(moved, scan.scannerFromPreop, "scanner"),
+               Overwrite::Replace);
+}
+
 void writeTruth(const std::filesystem::path& folder, int liver, double edgeMm, const TruthPlan& plan,
                 const Surface& preop, const Surface& moved, const TruthScan& scan,
                 const TruthTargets& targets, const TruthBody& body, const TruthState& state) {
-  const VectorXd way = (targets.moved - targets.preop).rowwise().norm();
   nlohmann::json drawn = toJson(plan);
   drawn["tumour_centre_mm"] = {body.tumourCentreMm.x(), body.tumourCentreMm.y(), body.tumourCentreMm.z()};
-  const nlohmann::json truth = {
-      {"frame_preop", "LPS mm"},
-      {"frame_scan", "scanner mm"},
-      {"scannerFromPreop_rigid", matrixToJson(scan.scannerFromPreop)},
-      {"coverage", scan.coverage},
-      {"noise_mm", plan.noiseMm},
-      {"outlier_fraction", plan.outlierShare},
-      {"mode", kPackedLobeNames[static_cast<std::size_t>(plan.lobe)]},
-      {"targets_preop_mm", rows(targets.preop)},
-      {"targets_scanner_mm", rows(transformed(targets.moved, scan.scannerFromPreop))},
-      {"target_displacement_mean_mm", way.mean()},
-      {"target_displacement_max_mm", way.maxCoeff()},
-      {"optimal_rigid_target_error_mean_mm", optimalRigidMm(targets)},
-      {"solver", "CalculiX, neo-Hookean C3D10, NLGEOM"},
-      {"scan_points", scan.scan.size()},
-      {"scan_patch_points", patchCounts(scan.scan)},
-      {"preop_patch_points", patchCounts(preop)},
-      {"liver", "3Dircadb-" + std::to_string(liver)},
-      {"seed", plan.seed},
-      {"mesh_edge_mm", edgeMm},
-      {"mesh_nodes", body.problem.body.mesh.nodes()},
-      {"held_share", body.heldShare},
-      {"load_share", state.share},
-      {"larger_shares_refused", state.refused},
-      {"min_det_j", state.minDetJ},
-      {"surface_displacement_max_mm", (moved.points - preop.points).rowwise().norm().maxCoeff()},
-      {"drawn", drawn}};
+  nlohmann::json truth = truthOf(plan, preop, scan, targets);
+  truth.update({{"mode", kPackedLobeNames[static_cast<std::size_t>(plan.lobe)]},
+                {"solver", "CalculiX, neo-Hookean C3D10, NLGEOM"},
+                {"liver", "3Dircadb-" + std::to_string(liver)},
+                {"mesh_edge_mm", edgeMm},
+                {"mesh_nodes", body.problem.body.mesh.nodes()},
+                {"held_share", body.heldShare},
+                {"load_share", state.share},
+                {"larger_shares_refused", state.refused},
+                {"min_det_j", state.minDetJ},
+                {"surface_displacement_max_mm", (moved.points - preop.points).rowwise().norm().maxCoeff()},
+                {"drawn", drawn}});
   // Whoever watches the folder sees a whole case or none.
   const std::filesystem::path unfinished = folder.string() + ".unfinished";
   std::filesystem::remove_all(unfinished);
   std::filesystem::create_directories(unfinished);
-  writeSurface(unfinished / "preop.vtp", preop, Overwrite::Replace);
-  writeSurface(unfinished / "scan.vtp", scan.scan, Overwrite::Replace);
-  writeSurface(unfinished / "truth_surface.vtp", transformed(moved, scan.scannerFromPreop, "scanner"),
-               Overwrite::Replace);
+  writeTruthSurfaces(unfinished, preop, moved, scan);
   writeJsonFile(unfinished / "truth.json", truth, Overwrite::Replace);
   std::filesystem::rename(unfinished, folder);
 }

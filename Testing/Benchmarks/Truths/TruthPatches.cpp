@@ -15,6 +15,7 @@ constexpr double kHalfStripMm = 4;      // of the groove
 constexpr double kNeighbourhoodMm = 8;  // about the margin's radius of curvature
 constexpr double kMarginHalfMm = 3;     // of the painted margin
 constexpr double kSliceMm = 2;          // of the slices in which it is sought
+constexpr double kLeastGrooveMm2 = 90, kLeastMarginMm2 = 360;
 
 /// The segment of the labelled voxel nearest to a place, within `reach` voxels; 0 if there is none.
 int segmentAt(const LabelMap& map, const Matrix4d& indexFromWorld, const Vector3d& place, int reach) {
@@ -60,12 +61,11 @@ std::vector<int> largePieces(const Surface& surface, const std::vector<int>& ids
   return kept;
 }
 
-std::vector<int> groove(const Surface& liver, const Points& normals, const LabelMap& segments) {
-  const Matrix4d indexFromWorld = segments.worldFromIndex.inverse();
+std::vector<int> groove(const Surface& liver, const Points& normals, const LabelMap& map) {
+  const std::vector<int> segments = segmentsAtSurface(liver, map);
   std::vector<int> medial, lateral;
   for (Index v = 0; v < liver.size(); ++v) {
-    const Vector3d inside = (liver.points.row(v) - 2 * normals.row(v)).transpose();
-    const int segment = segmentAt(segments, indexFromWorld, inside, 3);
+    const int segment = segments[static_cast<std::size_t>(v)];
     if (segment == 4) medial.push_back(static_cast<int>(v));
     if (segment == 2 || segment == 3) lateral.push_back(static_cast<int>(v));
   }
@@ -120,15 +120,27 @@ std::vector<int> inferiorMargin(const Surface& liver, const Points& normals) {
 
 }  // namespace
 
+std::vector<int> segmentsAtSurface(const Surface& liver, const LabelMap& segments) {
+  const Points normals = vertexNormals(liver);
+  const Matrix4d indexFromWorld = segments.worldFromIndex.inverse();
+  std::vector<int> found;
+  for (Index v = 0; v < liver.size(); ++v)
+    found.push_back(
+        segmentAt(segments, indexFromWorld, (liver.points.row(v) - 2 * normals.row(v)).transpose(), 3));
+  return found;
+}
+
 std::vector<int> paintedBySegments(const Surface& liver, const LabelMap& segments) {
   const Points normals = vertexNormals(liver);
   std::vector<int> labels(static_cast<std::size_t>(liver.size()), patch::kNone);
   const std::vector<int> margin = inferiorMargin(liver, normals), strip = groove(liver, normals, segments);
   for (const int v : margin) labels[static_cast<std::size_t>(v)] = patch::kInferiorRidge;
   for (const int v : strip) labels[static_cast<std::size_t>(v)] = patch::kFalciform;
-  if (strip.size() < 50 || margin.size() < 200)
-    throw InputError("groove and margin have " + std::to_string(strip.size()) + " and " +
-                     std::to_string(margin.size()) + " points: too few to register with");
+  const VectorXd areas = vertexAreas(liver);
+  const double stripMm2 = areas(strip).sum(), marginMm2 = areas(margin).sum();
+  if (stripMm2 < kLeastGrooveMm2 || marginMm2 < kLeastMarginMm2)
+    throw InputError("groove and margin are of " + std::to_string(stripMm2) + " and " +
+                     std::to_string(marginMm2) + " mm2: too small to register with");
   return labels;
 }
 

@@ -21,9 +21,17 @@ struct Pack {
   std::uint64_t place = 0;  ///< stream of the draw of the place
 };
 
-/// Everything that is drawn of one held-out case: a pure function of its seed.
-struct TruthPlan {
+/// How a range scanner looks at a deformed liver.
+struct ScannerPlan {
   std::uint64_t seed = 0;
+  double azimuthDeg = 0, elevationDeg = 0, distanceMm = 0;  ///< of the scanner
+  double coverage = 0;                                      ///< aimed at
+  double noiseMm = 0, outlierShare = 0;
+  bool raster = false;  ///< keeps the raster's triangles; else a cloud
+};
+
+/// Everything that is drawn of one held-out case: a pure function of its seed.
+struct TruthPlan : ScannerPlan {
   PackedLobe lobe = PackedLobe::Left;
 
   double liverKPa = 0, poissonsRatio = 0;
@@ -36,10 +44,6 @@ struct TruthPlan {
   double heldRadiusMm = 0;         ///< of the bare area, fixed
   double heldTowardsVenaCava = 0;  ///< its centre: 0 middle of the bed behind the right lobe, 1 vena cava
   bool venaCavaHeld = false, ligamentHeld = false;
-
-  double azimuthDeg = 0, elevationDeg = 0, distanceMm = 0;  ///< of the scanner
-  double coverage = 0;                                      ///< aimed at
-  double noiseMm = 0, outlierShare = 0;
 };
 
 [[nodiscard]] TruthPlan drawTruth(std::uint64_t seed, PackedLobe lobe);

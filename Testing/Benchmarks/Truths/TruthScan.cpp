@@ -11,7 +11,7 @@ constexpr std::uint64_t kOutliers = 200, kScannerSeed = 201, kLookAt = 202;  // 
 
 }  // namespace
 
-TruthScan scanTruth(const Surface& moved, const TruthPlan& plan) {
+TruthScan scanTruth(const Surface& moved, const ScannerPlan& plan) {
   VirtualScannerSettings scanner;
   scanner.azimuthDeg = plan.azimuthDeg;
   scanner.elevationDeg = plan.elevationDeg;
@@ -31,7 +31,7 @@ TruthScan scanTruth(const Surface& moved, const TruthPlan& plan) {
 
   TruthScan result{
       .scan = std::move(seen.scan), .scannerFromPreop = seen.scanFromPreop, .coverage = seen.coverage};
-  result.scan.triangles.resize(0, 3);
+  if (!plan.raster) result.scan.triangles.resize(0, 3);
   result.scan.normals.resize(0, 3);
   result.scan.colours.resize(0, 3);
   const Vector3d eye = result.scannerFromPreop * Vector3d(lookAt + plan.distanceMm * towardsScanner(scanner));

@@ -4,7 +4,7 @@
 
 namespace falciform::bench {
 
-/// What a range scanner sees of the deformed liver, as a cloud with patches in its own frame.
+/// What a range scanner sees of the deformed liver, with patches, in its own frame.
 struct TruthScan {
   Surface scan;
   Isometry3d scannerFromPreop = Isometry3d::Identity();
@@ -14,6 +14,6 @@ struct TruthScan {
 /// The part of the raster is chosen so that the coverage comes near the plan's; noise along the rays;
 /// outliers stand 5 to 40 mm before the surface, as smoke, blood and instruments do. `moved`: the deformed
 /// surface in the pre-operative frame.
-[[nodiscard]] TruthScan scanTruth(const Surface& moved, const TruthPlan& plan);
+[[nodiscard]] TruthScan scanTruth(const Surface& moved, const ScannerPlan& plan);
 
 }  // namespace falciform::bench
