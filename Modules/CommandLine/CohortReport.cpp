@@ -98,23 +98,10 @@ std::string arrangementsText(const PermutationTest& test, int seed) {
                           std::to_string(seed);
 }
 
-std::string cohortReportHtml(const CohortInput& input, const CohortAnalysis& analysis,
-                             const PermutationSettings& settings, const std::string& matrixSvg,
-                             const Provenance& provenance) {
-  const std::string notice = escaped(kResearchUse);
+std::string cohortSections(const CohortInput& input, const CohortAnalysis& analysis,
+                           const PermutationSettings& settings, const std::string& matrixSvg) {
   const Cohort& cohort = input.cohort;
-  std::string body =
-      "<div class=\"banner\">" + notice + "</div>\n<main>\n<h1>" + escaped(input.name) + "</h1>\n";
-  body += htmlParagraph(
-      "How alike the deformations of the cases are, and whether those of one procedure are "
-      "more alike. Started " +
-          provenance.startedUtc + ", Falciform " + kVersion + ".",
-      "soft");
-  if (input.vertices > 0)
-    body +=
-        htmlParagraph("Correlated over the " + std::to_string(input.overlap) + " of " +
-                      std::to_string(input.vertices) + " vertices of the target liver that all cases cover.");
-  body += cards(input, analysis) + htmlWarnings(provenance.warnings);
+  std::string body = cards(input, analysis);
   body += htmlSection(
       "Groups",
       htmlParagraph(
@@ -134,6 +121,25 @@ std::string cohortReportHtml(const CohortInput& input, const CohortAnalysis& ana
   body += htmlSection("What each case is most alike",
                       htmlParagraph("Mean correlation with the other cases of each group.") +
                           likenessTable(cohort, analysis));
+  return body;
+}
+
+std::string cohortReportHtml(const CohortInput& input, const CohortAnalysis& analysis,
+                             const PermutationSettings& settings, const std::string& matrixSvg,
+                             const Provenance& provenance) {
+  const std::string notice = escaped(kResearchUse);
+  std::string body =
+      "<div class=\"banner\">" + notice + "</div>\n<main>\n<h1>" + escaped(input.name) + "</h1>\n";
+  body += htmlParagraph(
+      "How alike the deformations of the cases are, and whether those of one procedure are "
+      "more alike. Started " +
+          provenance.startedUtc + ", Falciform " + kVersion + ".",
+      "soft");
+  if (input.vertices > 0)
+    body +=
+        htmlParagraph("Correlated over the " + std::to_string(input.overlap) + " of " +
+                      std::to_string(input.vertices) + " vertices of the target liver that all cases cover.");
+  body += htmlWarnings(provenance.warnings) + cohortSections(input, analysis, settings, matrixSvg);
   body += provenanceSection(provenance);
   body += "<footer>" + notice + ".</footer>\n</main>\n";
   return htmlPage(input.name + ": Falciform cohort report", body);

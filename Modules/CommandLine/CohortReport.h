@@ -7,6 +7,10 @@
 
 namespace falciform::commandline {
 
+/// The cards, groups, matrix, cases left out and likenesses of one metric as HTML.
+[[nodiscard]] std::string cohortSections(const CohortInput& input, const CohortAnalysis& analysis,
+                                         const PermutationSettings& settings, const std::string& matrixSvg);
+
 /// The report of a cohort: one HTML file that links to nothing. Table IV.7's columns with the exact test
 /// beside the thesis's, the matrix as a picture, each case left out, and what each case is most alike.
 [[nodiscard]] std::string cohortReportHtml(const CohortInput& input, const CohortAnalysis& analysis,

@@ -84,6 +84,12 @@ std::string htmlParagraph(const std::string& text, const std::string& cssClass) 
   return (cssClass.empty() ? "<p>" : "<p class=\"" + cssClass + "\">") + escaped(text) + "</p>\n";
 }
 
+std::string htmlPicture(const std::filesystem::path& file, const std::string& caption) {
+  const std::string text = escaped(caption);
+  return "<figure><img alt=\"" + text + "\" src=\"data:image/png;base64," + base64OfFile(file) +
+         "\"><figcaption>" + text + "</figcaption></figure>\n";
+}
+
 std::string htmlCard(const std::string& figure, const std::string& meaning) {
   return "<div class=\"card\"><b>" + escaped(figure) + "</b><span>" + escaped(meaning) + "</span></div>\n";
 }

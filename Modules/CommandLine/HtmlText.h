@@ -30,6 +30,9 @@ class HtmlTable {
 /// `<p>` with escaped text.
 [[nodiscard]] std::string htmlParagraph(const std::string& text, const std::string& cssClass = "");
 
+/// A picture held in the page, with its caption (escaped) under it.
+[[nodiscard]] std::string htmlPicture(const std::filesystem::path& file, const std::string& caption);
+
 /// A figure set large with what it means under it, both escaped; several stand in one `<div class="cards">`.
 [[nodiscard]] std::string htmlCard(const std::string& figure, const std::string& meaning);
 /// The warnings as a list, escaped; "No warnings." if there is none.

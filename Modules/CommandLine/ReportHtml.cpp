@@ -33,11 +33,7 @@ std::string cards(const CaseOutcome& outcome) {
 
 std::string pictureGrid(const std::vector<PictureFile>& pictures) {
   std::string html = "<div class=\"pictures\">\n";
-  for (const PictureFile& picture : pictures) {
-    const std::string caption = escaped(picture.caption);
-    html += "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + base64OfFile(picture.file) +
-            "\"><figcaption>" + caption + "</figcaption></figure>\n";
-  }
+  for (const PictureFile& picture : pictures) html += htmlPicture(picture.file, picture.caption);
   return html + "</div>\n";
 }
 
