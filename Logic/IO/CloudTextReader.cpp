@@ -67,7 +67,10 @@ class TableReader {
         word = word.substr(1, word.size() - 2);
       double value = 0;
       if (parseNumber(word, value)) {
-        if (!table_.names.empty() && table_.values.empty() && count == 0) checkHeader();
+        if (!table_.names.empty() && table_.values.empty()) {
+          if (count > 0) refuse("it mixes names of columns and numbers; give the names a line of their own");
+          checkHeader();
+        }
         table_.values.push_back(value);
       } else if (table_.values.empty()) {
         table_.names.emplace_back(word);

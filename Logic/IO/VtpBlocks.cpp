@@ -54,7 +54,10 @@ VtpBlocks::VtpBlocks(std::string_view file) {
   xml_ = file.substr(0, at);
   const std::string_view appended = file.substr(at);
   rawAppended_ = xmlAttribute(appended.substr(0, appended.find('>')), "encoding") == "raw";
-  appended_ = appended.substr(std::min(appended.find('_'), appended.size()));
+  // VTK takes whatever comes first for the data if it is no underscore; we then take none.
+  const std::size_t inside = std::min(appended.find('>'), appended.size());
+  const std::size_t begin = appended.find_first_not_of("> \t\r\n\v\f", inside);
+  if (begin != std::string_view::npos && appended[begin] == '_') appended_ = appended.substr(begin);
   const std::string_view root = xml_.substr(std::min(xml_.find("<VTKFile"), xml_.size()));
   const std::string_view tag = root.substr(0, root.find('>'));
   const std::string_view compressor = xmlAttribute(tag, "compressor");

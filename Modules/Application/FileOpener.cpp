@@ -7,7 +7,9 @@
 #include <QTimer>
 #include <QUrl>
 
+#include "Logic/IO/VolumeFiles.h"
 #include "Modules/Application/CaseActions.h"
+#include "Modules/SegmentationImport/SeriesChooser.h"
 
 namespace falciform {
 
@@ -51,7 +53,8 @@ std::optional<FileRole> FileOpener::roleOf(const QString& file) {
   const QString name = QFileInfo(file).fileName();
   const std::vector<FileRole> roles = guessFileRoles(file.toStdString());
   if (roles.empty()) {
-    bench_.log.error(tr("%1 is no file that can be opened here; open a label map (NIfTI, NRRD, MetaImage), a "
+    bench_.log.error(tr("%1 is no file that can be opened here; open a DICOM folder, a label map (NIfTI, "
+                        "NRRD, MetaImage), a "
                         "surface or scan (VTP, "
                         "VTK, STL, PLY, OBJ, XYZ, CSV), landmarks (.mrk.json, .fcsv) or a case folder.")
                          .arg(name));
@@ -73,6 +76,9 @@ void FileOpener::openNext() {
   const QString file = waiting_.takeFirst();
   if (!QFileInfo::exists(file)) {
     bench_.log.error(tr("%1 does not exist; check the name.").arg(file));
+  } else if (const std::filesystem::path path = file.toStdString();
+             !std::filesystem::exists(path / "case.json") && !isVolumeFile(path) && isDicom(path)) {
+    openDicom(bench_, path, window_);
   } else if (const auto role = roleOf(file)) {
     if (*role == FileRole::Case)
       actions_.openCase(file);

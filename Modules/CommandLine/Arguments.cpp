@@ -141,4 +141,12 @@ void addGlobalArguments(Syntax& syntax) {
   add({.name = "help", .kind = Flag, .label = "Help", .help = "Print this."});
 }
 
+void declareSeries(Syntax& syntax, const std::string& group, const std::string& what) {
+  syntax.add({.name = "series",
+              .label = "DICOM series",
+              .help = "Number or code of the DICOM series " + what +
+                      ", where its folder holds several; falciform info FOLDER lists them.",
+              .group = group});
+}
+
 }  // namespace falciform::commandline

@@ -120,4 +120,7 @@ class Syntax {
 inline constexpr char kGlobalGroup[] = "Every command";
 void addGlobalArguments(Syntax& syntax);
 
+/// --series: which of several DICOM series is meant, "of the label map".
+void declareSeries(Syntax& syntax, const std::string& group, const std::string& what);
+
 }  // namespace falciform::commandline

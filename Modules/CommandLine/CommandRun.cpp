@@ -38,12 +38,28 @@ void CommandRun::remember(const fs::path& file) {
   if (std::find(known.begin(), known.end(), entry) == known.end()) known.push_back(std::move(entry));
 }
 
+void CommandRun::warnOf(const std::string& name, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    warn(warning.find(name) == std::string::npos ? name + ": " + warning : warning);
+}
+
 template <class T>
 T CommandRun::keep(Loaded<T> loaded, const fs::path& file) {
   remember(file);
-  const std::string name = file.filename().string();
-  for (const std::string& warning : loaded.warnings)
-    warn(warning.find(name) == std::string::npos ? name + ": " + warning : warning);
+  warnOf(file.filename().string(), loaded.warnings);
+  return std::move(loaded.value);
+}
+
+template <class T>
+T CommandRun::keepVolume(Loaded<T> loaded, const fs::path& file, const std::string& series) {
+  if (isVolumeFile(file)) return keep(std::move(loaded), file);
+  const DicomListing listing = listDicom(file);
+  for (const DicomSeries& one : listing.series) {
+    if (!series.empty() && &one != &chooseSeries(listing, series)) continue;
+    provenance.inputSha256.emplace_back("DICOM series " + one.code, sha256OfSeries(one));
+  }
+  warnOf("DICOM", listing.unreadable);
+  warnOf("DICOM", loaded.warnings);
   return std::move(loaded.value);
 }
 
@@ -57,8 +73,15 @@ Surface CommandRun::mesh(const fs::path& file) {
                      " edges have three or more triangles; repair it or import it anew from its label map");
   return read;
 }
-LabelMap CommandRun::labelMap(const fs::path& file) { return keep(readLabelMap(file), file); }
-Image CommandRun::image(const fs::path& file) { return keep(readImage(file), file); }
+LabelMap CommandRun::labelMap(const fs::path& file, const std::string& series) {
+  return keepVolume(readLabelMap(file, series), file, series);
+}
+NamedLabels CommandRun::namedLabels(const fs::path& file, const std::string& series) {
+  return keepVolume(readNamedLabels(file, series), file, series);
+}
+Image CommandRun::image(const fs::path& file, const std::string& series) {
+  return keepVolume(readImage(file, series), file, series);
+}
 Landmarks CommandRun::landmarks(const fs::path& file) { return keep(readLandmarks(file), file); }
 Isometry3d CommandRun::transform(const fs::path& file) {
   return keep(Loaded<Isometry3d>{readTransform(file), {}}, file);

@@ -10,6 +10,7 @@
 #include "Logic/Core/Surface.h"
 #include "Logic/Core/TetrahedralMesh.h"
 #include "Logic/Core/Volume.h"
+#include "Logic/IO/DicomSeries.h"
 #include "Logic/IO/Loaded.h"
 #include "Modules/CommandLine/Outputs.h"
 
@@ -52,8 +53,10 @@ class CommandRun {
   /// undefined.
   [[nodiscard]] Surface mesh(const std::filesystem::path& file);
   [[nodiscard]] TetrahedralMesh tetrahedra(const std::filesystem::path& file);
-  [[nodiscard]] LabelMap labelMap(const std::filesystem::path& file);
-  [[nodiscard]] Image image(const std::filesystem::path& file);
+  /// Of a DICOM folder with several series `series` chooses one, by number or code.
+  [[nodiscard]] LabelMap labelMap(const std::filesystem::path& file, const std::string& series = {});
+  [[nodiscard]] NamedLabels namedLabels(const std::filesystem::path& file, const std::string& series = {});
+  [[nodiscard]] Image image(const std::filesystem::path& file, const std::string& series = {});
   [[nodiscard]] Landmarks landmarks(const std::filesystem::path& file);
   [[nodiscard]] Isometry3d transform(const std::filesystem::path& file);
   /// Remembers another input file.
@@ -67,6 +70,10 @@ class CommandRun {
  private:
   template <class T>
   T keep(Loaded<T> loaded, const std::filesystem::path& file);
+  /// The same for a volume, which may be a DICOM folder: neither its name nor its files' names are kept.
+  template <class T>
+  T keepVolume(Loaded<T> loaded, const std::filesystem::path& file, const std::string& series);
+  void warnOf(const std::string& name, const std::vector<std::string>& warnings);
 
   std::vector<std::string> lines_;
 };

@@ -14,10 +14,11 @@ void declare(Syntax& syntax) {
   syntax.add({.name = "LABELMAP",
               .kind = LabelMap,
               .label = "Label map",
-              .help = "NIfTI, NRRD (.seg.nrrd too) or MetaImage.",
+              .help = "NIfTI, NRRD (.seg.nrrd too), MetaImage, or a DICOM folder: masks or DICOM SEG.",
               .required = true,
               .positional = true,
               .group = group});
+  declareSeries(syntax, group, "of the label map");
   syntax.add({.name = "out",
               .kind = Surface,
               .label = "Surface",
@@ -41,10 +42,14 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.frames = {{out.filename().string(), "patient LPS, mm"}};
 
   run.progress.report(0, "Reading the label map");
-  const falciform::LabelMap map = run.labelMap(arguments.path("LABELMAP"));
-  const SurfaceImportResult result = importSurface(map, settings, run.progress.part(0.1, 0.95));
+  const NamedLabels labels = run.namedLabels(arguments.path("LABELMAP"), arguments.text("series"));
+  const SurfaceImportResult result = importSurface(labels.map, settings, run.progress.part(0.1, 0.95));
   run.warn(result.warnings);
   run.figures = toJson(result);
+  for (const auto& [label, name] : labels.names) {
+    run.figures["label_names"][std::to_string(label)] = name;
+    run.say("label " + std::to_string(label) + ": " + name);
+  }
   run.progress.report(0.95, "Writing");
   writeSurface(run.outputs.staged(out), result.surface, Overwrite::Replace);
   run.writeSidecar(sidecarOf(out));

@@ -21,7 +21,9 @@ void declare(Syntax& syntax) {
   syntax.add({.name = "FILE",
               .kind = ArgumentKind::File,
               .label = "File",
-              .help = "Surface, scan, label map, tetrahedral mesh, landmarks, transform or case folder.",
+              .help =
+                  "Surface, scan, label map, DICOM folder or file, tetrahedral mesh, landmarks, transform or "
+                  "case folder.",
               .required = true,
               .positional = true,
               .group = "Files"});
@@ -78,6 +80,30 @@ void tellVolume(const fs::path& file, CommandRun& run) {
             fixed(volume / 1000, 2) + " ml");
     run.figures["labels"].push_back({{"label", label}, {"voxels", count}, {"volume_mm3", volume}});
   }
+}
+
+void tellDicom(const fs::path& folder, CommandRun& run) {
+  const DicomListing listing = listDicom(folder, run.progress);
+  run.figures = {{"kind", "DICOM"}, {"other_files", listing.otherFiles}, {"series", nlohmann::json::array()}};
+  for (std::size_t s = 0; s < listing.series.size(); ++s) {
+    const DicomSeries& series = listing.series[s];
+    const Vector3d spacing = series.spacingMm();
+    run.say(describeSeries(series, s + 1));
+    run.figures["series"].push_back({{"number", s + 1},
+                                     {"code", series.code},
+                                     {"modality", series.modality},
+                                     {"description", series.description},
+                                     {"size", {series.size.x(), series.size.y(), series.size.z()}},
+                                     {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
+                                     {"files", series.files},
+                                     {"readable", series.refusal.empty()}});
+    for (const std::string& warning : series.warnings) run.warn(series.code + ": " + warning);
+    for (const auto& [label, name] : series.segments)
+      run.say("  label " + std::to_string(label) + ": " + name);
+  }
+  for (const std::string& reason : listing.unreadable) run.warn(reason);
+  if (listing.otherFiles > 0)
+    run.say(std::to_string(listing.otherFiles) + " files of other kinds passed over");
 }
 
 void tellMesh(const fs::path& file, CommandRun& run) {
@@ -164,7 +190,10 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::string extension = fs::path(name).extension().string();
   const auto& surfaces = surfaceExtensions();
-  if (fs::is_directory(file) || name == "case.json")
+  const bool folder = fs::is_directory(file);
+  if (folder && !fs::exists(file / "case.json", ignored) && isDicom(file))
+    tellDicom(file, run);
+  else if (folder || name == "case.json")
     tellCase(file, run);
   else if (isVolumeFile(file))
     tellVolume(file, run);
@@ -176,9 +205,11 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
     tellSurface(file, run);
   else if (extension == ".tfm" || extension == ".txt" || extension == ".json")
     tellTransform(file, run);
+  else if (isDicom(file))
+    tellDicom(file, run);
   else
     throw InputError("'" + file.string() + "' is of no kind that is known by its ending '" + extension +
-                     "'; give a surface, label map, landmarks, transform or case folder");
+                     "'; give a surface, label map, DICOM folder, landmarks, transform or case folder");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "Logic/Biomechanics/BlasKernel.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/IO/VolumeFiles.h"
 #include "Modules/CommandLine/Commands.h"
 #include "Modules/CommandLine/HelpText.h"
 #include "Modules/CommandLine/ReturnParameters.h"
@@ -26,7 +27,10 @@ std::string callWithoutFolders(const std::vector<std::string>& words) {
     const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
     const std::string head = equals == std::string::npos ? "" : word.substr(0, equals + 1);
     std::string tail = word.substr(head.size());
-    if (tail.find('/') != std::string::npos) {
+    // A DICOM folder is often named after its patient.
+    if (const std::filesystem::path given = tail; !isVolumeFile(given) && isDicom(given)) {
+      tail = "DICOM";
+    } else if (tail.find('/') != std::string::npos) {
       const std::filesystem::path path = std::filesystem::path(tail).lexically_normal();
       tail = (path.has_filename() ? path : path.parent_path()).filename().string();
     }

@@ -53,7 +53,7 @@ void needLiver(const Volume<T>& volume, const TetrahedralMesh& mesh, const fs::p
     const auto last = volume.size.array().template cast<double>() - 0.5;
     inside += (index.array() >= -0.5).all() && (index.array() <= last).all() ? 1 : 0;
   }
-  const std::string name = "'" + file.filename().string() + "'";
+  const std::string name = isVolumeFile(file) ? "'" + file.filename().string() + "'" : "the DICOM series";
   if (inside == 0)
     throw InputError(name +
                      " holds no part of the liver: the two are of different patients or frames; "
@@ -124,12 +124,13 @@ void readImageFrame(const ParsedArguments& arguments, ImageFrame& frame, double&
 
 void declareUpdateImages(Syntax& syntax, const std::string& group) {
   using enum ArgumentKind;
-  syntax.add(
-      {.name = "ct",
-       .kind = File,
-       .label = "CT",
-       .help = "The CT, pre-op frame (NIfTI, NRRD, MetaImage): written as it would look now, ct_updated.*.",
-       .group = group});
+  syntax.add({.name = "ct",
+              .kind = File,
+              .label = "CT",
+              .help = "The CT, pre-op frame (NIfTI, NRRD, MetaImage, DICOM folder): written as it would look "
+                      "now, ct_updated.*.",
+              .group = group});
+  declareSeries(syntax, group, "that is the CT");
   syntax.add({.name = "labels",
               .kind = LabelMap,
               .label = "Label map",
@@ -157,6 +158,7 @@ void declareUpdateImages(Syntax& syntax, const std::string& group) {
 ImageOutputsPlan imageOutputs(const ParsedArguments& arguments) {
   ImageOutputsPlan plan{.ct = arguments.path("ct"),
                         .labels = arguments.path("labels"),
+                        .series = arguments.text("series"),
                         .grid = arguments.path("grid"),
                         .toolTips = arguments.path("tool-tips")};
   readImageFrame(arguments, plan.frame, plan.gridSpacingMm);
@@ -200,7 +202,7 @@ BentCt writeImages(const ImageOutputsPlan& plan, const UpdateMap& map, const Tet
     }
   }
   if (!plan.ct.empty()) {
-    bent.before = std::make_shared<const Image>(run.image(plan.ct));
+    bent.before = std::make_shared<const Image>(run.image(plan.ct, plan.series));
     needLiver(*bent.before, mesh, plan.ct, run);
     volume = SampledGrid{bent.before->size, bent.before->worldFromIndex};
     const float background = backgroundOf(*bent.before);

@@ -21,6 +21,7 @@ inline std::span<const std::string_view> enumNames(ImageFrame) {
 /// What is to be made of a model update beside surfaces and points; empty names: not asked for.
 struct ImageOutputsPlan {
   std::filesystem::path ct, labels;  ///< to be read
+  std::string series = {};           ///< which of a DICOM folder the CT is
   std::filesystem::path grid;        ///< displacements, to be written
   std::filesystem::path toolTips;    ///< to be read
   double gridSpacingMm = 3;          ///< 0: the CT's own grid

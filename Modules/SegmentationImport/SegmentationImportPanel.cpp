@@ -1,5 +1,6 @@
 #include "Modules/SegmentationImport/SegmentationImportPanel.h"
 
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "Modules/SegmentationImport/SeriesChooser.h"
 #include "Widgets/Forms/SettingsForm.h"
 
 namespace falciform {
@@ -79,9 +81,18 @@ void SegmentationImportPanel::addOpenButtons() {
   auto* openSurface = new QPushButton(tr("Open surface…"), this);
   openSurface->setObjectName("openSurface");
   openSurface->setToolTip(tr("A liver surface in mm: VTP, VTK, STL, PLY or OBJ; no import is needed then"));
+  auto* openFolder = new QPushButton(tr("Open DICOM…"), this);
+  openFolder->setObjectName("openDicom");
+  openFolder->setToolTip(tr(
+      "A folder as the scanner's archive exports it: CT, masks or DICOM SEG; of several series you choose"));
+  row->addWidget(openFolder);
   row->addWidget(openMap);
   row->addWidget(openSurface);
   column()->addLayout(row);
+  connect(openFolder, &QPushButton::clicked, this, [this] {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open DICOM folder"));
+    if (!folder.isEmpty()) openDicom(bench(), folder.toStdString(), this);
+  });
   connect(openMap, &QPushButton::clicked, this, [this] {
     const QString file =
         askForFile(tr("Open label map"), tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd)"));
@@ -185,11 +196,12 @@ void SegmentationImportPanel::showResult() {
   if (!document().preop()) return;
   const Surface& surface = *document().preop();
   const QString facts =
-      tr("Surface of %L1 vertices and %L2 triangles, %3 ml; the selected voxels hold %4 ml.")
+      tr("Surface of %L1 vertices and %L2 triangles, %3 ml; the selected voxels hold %4 ml. Shape: %5.")
           .arg(surface.size())
           .arg(surface.triangles.rows())
           .arg(last.surfaceVolumeMm3 / 1000, 0, 'f', 1)
-          .arg(last.voxelVolumeMm3 / 1000, 0, 'f', 1);
+          .arg(last.voxelVolumeMm3 / 1000, 0, 'f', 1)
+          .arg(QString::fromStdString(describeTopology(last.topology)));
   result_->setText(facts);
   bench().log.info(facts);
   showWarnings(warnings_, last.warnings);

@@ -74,6 +74,7 @@ TEST_F(SegmentationImportPanelTest, ImportPutsAClosedSurfaceOfTheTickedLabelsInt
   click(panel, "import");
   EXPECT_NEAR(signedVolume(*bench.document.preop()), ball / 2, 0.05 * ball);
   EXPECT_NE(words(panel, "importResult").find("vertices"), std::string::npos);
+  EXPECT_NE(words(panel, "importResult").find("closed manifold, 1 piece, genus 0"), std::string::npos);
   EXPECT_TRUE(errors.isEmpty());
 }
 

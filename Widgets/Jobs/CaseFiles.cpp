@@ -141,6 +141,37 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
   return false;
 }
 
+bool CaseFiles::openSeries(std::vector<DicomSeries> series, FileRole role, std::function<void()> done) {
+  const QString title = QObject::tr("Opening DICOM");
+  const auto finish = [this, role, done](const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) log_.warn(QString::fromStdString(warning));
+    const std::string_view what = fileRoleName(role);
+    log_.info(QObject::tr("Opened DICOM as %1.").arg(QString::fromUtf8(what.data(), int(what.size()))));
+    if (done) done();
+  };
+  if (role == FileRole::Ct)
+    return start(
+        title, [series](const Progress& progress) { return readDicomImage(series.at(0), progress); },
+        [this, finish](Loaded<Image> loaded) {
+          case_.setCt(std::make_shared<const Image>(std::move(loaded.value)));
+          finish(loaded.warnings);
+        });
+  return start(
+      title,
+      [series](const Progress& progress) {
+        return series.size() == 1 ? readDicomLabels(series[0], progress) : [&] {
+          Loaded<NamedLabels> named = readDicomMasks(series, progress);
+          for (const auto& [label, name] : named.value.names)
+            named.warnings.push_back("label " + std::to_string(label) + " is '" + name + "'");
+          return Loaded<LabelMap>{std::move(named.value.map), std::move(named.warnings)};
+        }();
+      },
+      [this, finish](Loaded<LabelMap> loaded) {
+        case_.setLabels(std::make_shared<const LabelMap>(std::move(loaded.value)));
+        finish(loaded.warnings);
+      });
+}
+
 bool CaseFiles::save(const fs::path& folder, std::function<void()> done) {
   // The parts are shared and constant, so this copy is a snapshot that the worker may read.
   auto snapshot = std::make_shared<const Case>(case_);

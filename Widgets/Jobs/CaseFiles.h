@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "Logic/Core/Case.h"
+#include "Logic/IO/DicomSeries.h"
 #include "Widgets/Jobs/FileGuess.h"
 #include "Widgets/Jobs/JobRunner.h"
 #include "Widgets/Jobs/Log.h"
@@ -17,6 +19,8 @@ class CaseFiles {
 
   /// Reads `file` as `role` and puts it in its place; `done` then runs. A case replaces all that was there.
   bool open(const std::filesystem::path& file, FileRole role, std::function<void()> done = {});
+  /// One DICOM series as CT, or one and several masks as label map.
+  bool openSeries(std::vector<DicomSeries> series, FileRole role, std::function<void()> done = {});
   /// Writes the whole case as it is now into `folder`, replacing what an earlier save left there.
   bool save(const std::filesystem::path& folder, std::function<void()> done = {});
 

@@ -43,6 +43,10 @@ std::vector<FileRole> guessVolume(const std::string& name) {
   return {hasWord(name, "ct") ? FileRole::Ct : FileRole::Labels};
 }
 
+std::vector<FileRole> guessDicom(const std::filesystem::path& path) {
+  return isDicom(path) ? std::vector{FileRole::Ct, FileRole::Labels} : std::vector<FileRole>{};
+}
+
 }  // namespace
 
 std::string_view fileRoleName(FileRole role) {
@@ -75,7 +79,7 @@ std::vector<FileRole> guessFileRoles(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
     return std::filesystem::exists(file / "case.json", ignored) ? std::vector{FileRole::Case}
-                                                                : std::vector<FileRole>{};
+                                                                : guessDicom(file);
   const std::string name = lowerCase(file.filename().string());
   const std::string extension = lowerCase(file.extension().string());
   if (isVolumeFile(file)) return guessVolume(name);
@@ -90,7 +94,7 @@ std::vector<FileRole> guessFileRoles(const std::filesystem::path& file) {
   const auto& surfaces = surfaceExtensions();
   if (std::find(surfaces.begin(), surfaces.end(), extension) != surfaces.end())
     return guessSurface(name, extension);
-  return {};
+  return guessDicom(file);
 }
 
 }  // namespace falciform

@@ -68,6 +68,7 @@ TEST_F(HostileFiles, DataCutOutOfTheMiddleOfAVtpAreMissed) {
 TEST_F(HostileFiles, NotANumberAndAbsurdCoordinatesAreRefused) {
   EXPECT_THAT(refusal("s.obj", "v 0 0 nan\n"), HasSubstr("finite"));
   EXPECT_THAT(refusal("s.xyz", "0 0 0\n0 inf 0\n"), HasSubstr("finite"));
+  EXPECT_THAT(refusal("s.xyz", "x y z 1\n0 0 0\n"), HasSubstr("mixes names"));
   EXPECT_THAT(refusal("s.xyz", "0 0 0\n0 0 1e7\n"), HasSubstr("1e6 mm"));
   std::string stl = written("s.stl");
   const float nan = std::numeric_limits<float>::quiet_NaN();
