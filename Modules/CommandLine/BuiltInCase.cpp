@@ -32,14 +32,17 @@ Image evenCt(const LabelMap& labels) {
 
 BuiltInCase makeBuiltInCase(const BuiltInCaseSettings& settings, const Progress& progress) {
   BuiltInCase made;
+  made.name =
+      settings.packing.packingMm > 0 ? "Built-in liver, packed under its left lobe" : "Built-in liver";
   made.liver = makeSyntheticLiver(settings.liver, progress.part(0.0, 0.5));
   made.labelMap = makeSyntheticLabelMap(settings.liver, progress.part(0.5, 0.8));
   made.ct = evenCt(made.labelMap);
-  progress.report(0.8, "Scanning");
+  progress.report(0.8, "Deforming");
   const SyntheticLiver changed = settings.packing.packingMm > 0
-                                     ? packLiver(made.liver, settings.packing)
+                                     ? packLiver(made.liver, settings.packing, progress.part(0.8, 0.9))
                                      : deformSynthetic(made.liver, settings.deformation);
-  made.scan = scanSurface(changed.surface, settings.scanner, progress.part(0.8, 1.0));
+  progress.report(0.9, "Scanning");
+  made.scan = scanSurface(changed.surface, settings.scanner, progress.part(0.9, 1.0));
   made.truthTargets = seenByScanner(changed.targets, made.scan);
   made.scanLandmarks = seenByScanner(changed.anatomical, made.scan);
   std::mt19937_64 random(static_cast<std::uint64_t>(settings.touch.seed));

@@ -33,6 +33,7 @@ struct BuiltInCaseSettings {
 };
 
 struct BuiltInCase {
+  std::string name;
   SyntheticLiver liver;  ///< LPS mm, as the CT saw it
   LabelMap labelMap;
   Image ct;                 ///< on its grid, of even tissues, Hounsfield units

@@ -23,7 +23,7 @@ std::string structureFile(std::string name) {
 CaseDescription describeBuiltInCase(const BuiltInCase& made, const std::filesystem::path& folder) {
   CaseDescription description;
   description.folder = folder;
-  description.name = "Built-in liver";
+  description.name = made.name;
   description.labelMap = "labelmap.nii.gz";
   description.ct = "ct.nii.gz";
   description.labels = {synthetic::kLiver, synthetic::kTumour, synthetic::kPortalVein,

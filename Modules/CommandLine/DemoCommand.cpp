@@ -7,6 +7,8 @@ namespace falciform::commandline {
 
 namespace {
 
+constexpr double kPackingMm = 20;
+
 void declare(Syntax& syntax) {
   syntax.add({.name = "out",
               .kind = ArgumentKind::Folder,
@@ -24,6 +26,9 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   for (const auto& file : builtInCaseFiles(caseFolder)) run.outputs.announce(file);
   for (const auto& file : caseResultFiles(results)) run.outputs.announce(file);
   BuiltInCaseSettings made;
+  // Bent as an operation bends it, on other elements of another surface than the update's, which are made
+  // from the label map: what the update finds is not what it was given.
+  made.packing.packingMm = kPackingMm;
   made.liver.seed = made.deformation.seed = made.scanner.seed = made.touch.seed = arguments.integer("seed");
   writeBuiltInCase(makeBuiltInCase(made, run.progress.part(0, 0.3)), caseFolder, run.outputs);
 

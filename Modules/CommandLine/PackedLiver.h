@@ -7,7 +7,7 @@ namespace falciform::commandline {
 struct PackingSettings {
   double packingMm = 0;  ///< push under the left lobe; 0: none
   double packedExtentMm = 35;
-  double packedEdgeLengthMm = 9;
+  double packedEdgeLengthMm = 11;
 };
 
 template <class Visitor>
@@ -27,7 +27,7 @@ void describe(PackingSettings& s, Visitor&& field) {
 }
 
 /// The liver, its structures, targets and landmarks as packed: vena cava fixed, back on its sliding bed, left
-/// lobe pushed; quadratic elements of 9 mm, turned truly (CorotationalWarp).
+/// lobe pushed; quadratic elements, turned truly (CorotationalWarp).
 [[nodiscard]] SyntheticLiver packLiver(const SyntheticLiver& liver, const PackingSettings& settings,
                                        const Progress& progress = {});
 

@@ -14,10 +14,18 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// One demo, looked at from several sides: it is the longest run here.
+/// Coarser than the demo's own, which takes three times as long.
+const std::vector<std::string> kCoarse{"--edge-length", "4", "--mesh-edge-length", "16"};
+
+std::vector<std::string> coarse(std::vector<std::string> words) {
+  words.insert(words.end(), kCoarse.begin(), kCoarse.end());
+  return words;
+}
+
+/// One demo, looked at from several sides: it is a long run.
 TEST(Demo, MakesCasePicturesAndReportWithoutADisplay) {
   const TemporaryFolder folder;
-  const Ran ran = falciform({"demo", "--out", (folder / "demo").string()});
+  const Ran ran = falciform(coarse({"demo", "--out", (folder / "demo").string()}));
   ASSERT_EQ(ran.exitCode, 0) << ran.err;
   const std::filesystem::path results = folder / "demo" / "results";
   EXPECT_THAT(ran.out, HasSubstr((results / "pictures").string()));
@@ -50,12 +58,13 @@ TEST(Demo, MakesCasePicturesAndReportWithoutADisplay) {
 
   const auto json = nlohmann::json::parse(readTextFile(results / "run.json"));
   const auto error = json["figures"]["target_error"];
-  // The built-in liver bends by up to 6 mm: the pose must come close to the best that a rigid motion can do.
+  // The built-in liver is packed by some 9 mm at most, rigid motion apart: the pose must come close to the
+  // best that a rigid motion can do.
   EXPECT_LT(error["mean_mm"].get<double>(), 1.4 * error["optimal_rigid_mean_mm"].get<double>() + 1.0);
   EXPECT_TRUE(json["figures"]["import"]["closed_manifold"]);
 
-  const Ran again = falciform(
-      {"run", (folder / "demo" / "case").string(), "--out", (folder / "again").string(), "--threads", "1"});
+  const Ran again = falciform(coarse(
+      {"run", (folder / "demo" / "case").string(), "--out", (folder / "again").string(), "--threads", "1"}));
   ASSERT_EQ(again.exitCode, 0) << again.err;
   for (const char* name : {"scan_from_preop.txt", "preop_distance.vtp", "distance.csv"})
     EXPECT_TRUE(readTextFile(folder / "again" / name) == readTextFile(results / name))
@@ -67,7 +76,11 @@ TEST(Demo, MakesCasePicturesAndReportWithoutADisplay) {
         << name << ": run and demo differ";
   const auto update = json["figures"]["update"];
   EXPECT_EQ(update["targets"].size(), error["targets"].size() + 4);  // and four structures
-  EXPECT_LT(update["target_error"]["mean_mm"], error["mean_mm"]);
+  // A first impression that helps: settled, a fifth nearer than the pose alone, nearer than any rigid motion.
+  EXPECT_TRUE(update["converged"].get<bool>()) << update["stop_reason"];
+  const double updated = update["target_error"]["mean_mm"];
+  EXPECT_LT(updated, 0.8 * error["mean_mm"].get<double>());
+  EXPECT_LT(updated, error["optimal_rigid_mean_mm"].get<double>());
 #endif
 }
 

@@ -41,10 +41,11 @@ double valueAt(const Image& volume, const Vector3d& place) {
 
 class RunCase : public testing::Test {
  protected:
-  /// The built-in liver, coarse, packed under its left lobe or, which is made sooner, bent by a smooth field.
+  /// The built-in liver, coarse, packed under its left lobe on a mesh finer than the update's or, which is
+  /// made sooner, bent by a smooth field.
   void make(const char* packingMm) const {
     const Ran ran = falciform({"synthesise", "--out", (folder_ / "case").string(), "--packing", packingMm,
-                               "--edge-length", "4", "--voxel", "4"});
+                               "--packed-edge-length", "13", "--edge-length", "4", "--voxel", "4"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
   }
   /// A CT whose values are the places' own x, y or z, so that a look into the bent one says where a place

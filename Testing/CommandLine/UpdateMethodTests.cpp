@@ -22,7 +22,8 @@ class UpdateMethodCommand : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     shared_ = std::make_unique<TemporaryFolder>();
-    done({"synthesise", "--out", at("case"), "--packing", "15", "--edge-length", "4", "--voxel", "4"});
+    done({"synthesise", "--out", at("case"), "--packing", "15", "--packed-edge-length", "13", "--edge-length",
+          "4", "--voxel", "4"});
     done({"mesh", "--preop", at("case/preop_painted.vtp"), "--edge-length", "16", "--out", at("m.vtu")});
     std::ofstream(at("packing.json")) << R"({"preset": "thesis-packing",
         "packing": {"places": 8, "stepMm": 5, "maxPushMm": 20}})";

@@ -27,8 +27,9 @@ class UpdateCommand : public testing::Test {
  protected:
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
   void pack(const std::string& mm) const {
-    const Ran ran =
-        falciform({"synthesise", "--out", at("case"), "--packing", mm, "--edge-length", "3", "--voxel", "4"});
+    // Packed on a mesh finer than the update's.
+    const Ran ran = falciform({"synthesise", "--out", at("case"), "--packing", mm, "--packed-edge-length",
+                               "12", "--edge-length", "3", "--voxel", "4"});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
   }
   std::vector<std::string> words() const {
