@@ -43,16 +43,22 @@ function(falciform_vtk target)
   endforeach()
 endfunction()
 
-# falciform_test(RegistrationTests LABEL logic SOURCES a.cpp ... DEPENDS Falciform::X ... [ENVIRONMENT VAR=value] [TIMEOUT s])
-# One GoogleTest executable, its cases found at test time, each labelled with its layer (Docs/Testing.md).
+# falciform_test(RegistrationTests LABEL logic SOURCES a.cpp ... DEPENDS Falciform::X ... [ENVIRONMENT VAR=value] [TIMEOUT s] [TOGETHER])
+# One GoogleTest executable, its cases found at test time, each labelled with its layer (Docs/Testing.md). TOGETHER: all cases are one
+# test of one process, for those that share what takes long to make; ctest shows what the process says of each that fails.
 include(GoogleTest)
 function(falciform_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;DEPENDS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "TOGETHER" "LABEL;TIMEOUT" "SOURCES;DEPENDS;ENVIRONMENT" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE FalciformOptions ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
+  if(ARG_TOGETHER)
+    add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+    set_tests_properties(${name} PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${ARG_ENVIRONMENT}")
+    return()
+  endif()
   list(JOIN ARG_ENVIRONMENT "\\;" environment)  # one property value, not several
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
