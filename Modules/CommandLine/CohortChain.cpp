@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "Logic/Deformation/Cohort/MapCorrelation.h"
-#include "Logic/IO/JsonFile.h"
-#include "Modules/CommandLine/Arguments.h"
+#include "Logic/Geometry/Measures.h"
+#include "Logic/Registration/PointRegistration.h"
 
 namespace falciform::commandline {
 
@@ -24,27 +24,15 @@ CaseSettings settingsOf(const CohortFile& cohort, CohortMember& member) {
   return settings;
 }
 
-/// Where the pre-op vertices truly are, in the scanner's frame: truth_surface.vtp beside truth.json.
-struct Truth {
-  Points moved;
-  Isometry3d scanFromPreop = Isometry3d::Identity();
-};
-
-std::optional<Truth> readTruth(const CohortMember& member, const Surface& preop, CommandRun& run) {
+/// Where the pre-op vertices truly are, in the frame of the scan.
+std::optional<Points> readTruth(const CohortMember& member, const Surface& preop, CommandRun& run) {
   if (member.truth.empty()) return {};
-  const nlohmann::json json = readJsonFile(member.truth);
-  run.remember(member.truth);
-  const auto pose = json.find("scannerFromPreop_rigid");
-  if (pose == json.end())
-    throw InputError("'" + member.truth.string() + "' has no 'scannerFromPreop_rigid'; it must be a 4 x 4");
-  Truth truth;
-  truth.scanFromPreop = rigidFromJson(*pose, "scannerFromPreop_rigid of '" + member.name + "'");
-  truth.moved = run.surface(member.truth.parent_path() / "truth_surface.vtp").points;
-  if (truth.moved.rows() != preop.size())
-    throw InputError("truth_surface.vtp of '" + member.name + "' has " + std::to_string(truth.moved.rows()) +
+  Points moved = run.surface(member.truth).points;
+  if (moved.rows() != preop.size())
+    throw InputError("truth_surface.vtp of '" + member.name + "' has " + std::to_string(moved.rows()) +
                      " points where the pre-op surface has " + std::to_string(preop.size()) +
                      "; it must be the same vertices");
-  return truth;
+  return moved;
 }
 
 MeasuredCase measure(const CohortFile& cohort, CohortMember member, CommandRun& run,
@@ -69,9 +57,10 @@ MeasuredCase measure(const CohortFile& cohort, CohortMember member, CommandRun& 
                                  ? found->second
                                  : VectorXd::Constant(surface->size(), kNone);
   }
-  if (const std::optional<Truth> truth = readTruth(member, *surface, own)) {
-    surface->arrays[kCohortMetrics[2].array] = normalDisplacement(*surface, truth->moved);
-    const Points apart = transformed(surface->points, truth->scanFromPreop) -
+  if (const std::optional<Points> truth = readTruth(member, *surface, own)) {
+    surface->arrays[kCohortMetrics[2].array] = normalDisplacement(*surface, *truth);
+    const Isometry3d best = fitRigid(surface->points, *truth, vertexAreas(*surface));
+    const Points apart = transformed(surface->points, best) -
                          transformed(surface->points, outcome.registration->scanFromPreop);
     measured.poseErrorMm = std::sqrt(apart.rowwise().squaredNorm().mean());
   }

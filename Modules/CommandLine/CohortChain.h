@@ -29,7 +29,7 @@ struct MeasuredCase {
   CaseOutcome outcome;                 ///< registration by patches, maps on the own surface
   std::shared_ptr<const Surface> own;  ///< pre-op, LPS, with an array for each metric
   CarriedCase carried;                 ///< columns as kCohortMetrics
-  std::optional<double> poseErrorMm;   ///< rms over the vertices, of the measured to the true pose
+  std::optional<double> poseErrorMm;   ///< rms over the liver, of the pose to the best rigid one
 };
 
 /// The correlations of one metric and what they say of the groups.

@@ -66,7 +66,7 @@ CohortMember readMember(const Json& json, std::size_t place, const Source& sourc
     if (!fs::exists(path)) source.refuse(where + ": there is no '" + path.string() + "'");
     member.description = readCaseDescription(path);
     if (member.name.empty()) member.name = member.description.name;
-    if (const fs::path truth = member.description.folder / "truth.json"; fs::exists(truth))
+    if (const fs::path truth = member.description.folder / "truth_surface.vtp"; fs::exists(truth))
       member.truth = truth;
     return member;
   }

@@ -12,7 +12,7 @@ namespace falciform::commandline {
 struct CohortMember {
   std::string name, group;      ///< an empty group: a procedure of its own
   CaseDescription description;  ///< read from the case's folder, or made of the files named
-  std::filesystem::path truth;  ///< truth.json beside the case; empty: there is none
+  std::filesystem::path truth;  ///< truth_surface.vtp in the case's folder; empty: there is none
 };
 
 /// What COHORT.json says (Docs/UserGuide/Cohort.md).

@@ -177,7 +177,8 @@ std::string tablesHtml(const CohortOutcome& outcome) {
   return htmlSection("Each case: registration by patches and signed distance",
                      htmlParagraph("The thesis's Table IV.4. Positive where the scan lies outside the pre-op "
                                    "surface; only where it covers. Pose off by: root mean square over the "
-                                   "liver against the true pose, where it is known.") +
+                                   "liver against the best rigid pose of the true motion, where it is "
+                                   "known.") +
                          tableIv4(outcome).html()) +
          htmlSection(
              "Inter-patient registration",

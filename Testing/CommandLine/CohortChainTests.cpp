@@ -44,12 +44,7 @@ class CohortChain : public testing::Test {
     writeSurface(folder_ / name / "scan.vtp", scan, Overwrite::Replace);
     std::ofstream(folder_ / name / "case.json")
         << json{{"name", name}, {"preop", "preop.vtp"}, {"scan", "scan.vtp"}};
-    if (!truth) return;
-    writeSurface(folder_ / name / "truth_surface.vtp", scan, Overwrite::Replace);
-    json rows = json::array();
-    const Matrix4d matrix = pose.matrix();
-    for (int r = 0; r < 4; ++r) rows.push_back({matrix(r, 0), matrix(r, 1), matrix(r, 2), matrix(r, 3)});
-    std::ofstream(folder_ / name / "truth.json") << json{{"scannerFromPreop_rigid", rows}};
+    if (truth) writeSurface(folder_ / name / "truth_surface.vtp", scan, Overwrite::Replace);
   }
 
   [[nodiscard]] json cohort() const {
