@@ -16,12 +16,13 @@ namespace falciform {
 
 namespace {
 
-constexpr int kCoarseRounds = 2;         ///< edges are measured anew for each
-constexpr int kSteps = 12;               ///< time steps of a round
-constexpr double kAtRest = 0.02;         ///< mean speed at which a round ends early
-constexpr double kMarginMm = 10;         ///< of the finer levels' boxes around the organ
-constexpr double kEdgeMm = 3;            ///< how far from the border its two sides are looked at
-constexpr double kLeakWidth = 1.5;       ///< necks up to so many times the front's own are looked at
+constexpr int kCoarseRounds = 2;    ///< edges are measured anew for each
+constexpr int kSteps = 12;          ///< time steps of a round
+constexpr double kAtRest = 0.02;    ///< mean speed at which a round ends early
+constexpr double kMarginMm = 10;    ///< of the finer levels' boxes around the organ
+constexpr double kEdgeMm = 3;       ///< how far from the border its two sides are looked at
+constexpr double kLeakWidth = 1.5;  ///< necks up to so many times the front's own are looked at
+constexpr double kWideNeckMm = 10, kMuchWider = 2.5;
 constexpr double kLeastNeckMm = 4;       ///< for maps that one goes on from
 constexpr double kLeakShare = 0.01;      ///< of the organ's volume: smaller parts are not worth a word
 constexpr std::size_t kEnough = 200000;  ///< values that statistics need
@@ -192,6 +193,14 @@ void fillEnclosed(Mask& mask, const Image& forbidden) {
     if (reached[i] == 0 && (forbidden.voxels.empty() || forbidden.voxels[i] <= 0.5F)) mask.voxels[i] = 1;
 }
 
+/// By necks a little wider than the front's own, and by wider ones if what hangs on them is much wider still.
+std::vector<LeftOut> suspiciousParts(const Mask& mask, double neckMm) {
+  const double leastMl = kLeakShare * static_cast<double>(countOrgan(mask)) * mask.voxelVolume() / 1000;
+  std::vector<LeftOut> parts =
+      partsBehindNecks(mask, kLeakWidth * std::max(neckMm, kLeastNeckMm), 1, leastMl);
+  return parts.empty() ? partsBehindNecks(mask, kWideNeckMm, kMuchWider, leastMl) : parts;
+}
+
 /// The finest level's mask, put where it belongs in the stored volume.
 LabelMap storedLabels(const Mask& mask, const PyramidLevel& level, const StorageOrder& order,
                       const Image& ct) {
@@ -255,9 +264,7 @@ LevelSetResult segmentLevelSet(const LevelSetInput& input, const LevelSetSetting
     if (preview) preview(mask);
     if (f == 0) {
       result.weakBorderShare = weakBorderShare(stage.smoothed, stage.phi, stage.tissues[0].tissue, kEdgeMm);
-      behindNecks =
-          partsBehindNecks(mask, kLeakWidth * std::max(result.neckMm, kLeastNeckMm),
-                           kLeakShare * static_cast<double>(countOrgan(mask)) * mask.voxelVolume() / 1000);
+      behindNecks = suspiciousParts(mask, result.neckMm);
     }
     if (f + 1 < factors.size()) {
       for (MovingTissue& tissue : stage.tissues) measureLimits(stage, tissue, settings.tissueWidth);

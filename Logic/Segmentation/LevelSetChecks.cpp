@@ -27,7 +27,8 @@ std::string placesText(const std::vector<LeftOut>& parts) {
 
 }  // namespace
 
-std::vector<LeftOut> partsBehindNecks(const Volume<std::uint8_t>& organ, double neckMm, double leastMl) {
+std::vector<LeftOut> partsBehindNecks(const Volume<std::uint8_t>& organ, double neckMm, double wideness,
+                                      double leastMl) {
   Volume<std::uint8_t> outside = organ;
   for (std::uint8_t& value : outside.voxels) value = value == 0;
   const Image depth = distanceTo(outside);
@@ -37,6 +38,9 @@ std::vector<LeftOut> partsBehindNecks(const Volume<std::uint8_t>& organ, double 
   // Each part is the balls of the neck's radius about its middles.
   std::vector<LeftOut> parts;
   for (const RegionPiece& piece : piecesOf(middles)) {
+    float deepest = 0;
+    for (const std::size_t voxel : piece.voxels) deepest = std::max(deepest, depth.voxels[voxel]);
+    if (static_cast<double>(deepest) < wideness * neckMm) continue;
     Volume<std::uint8_t> flags = sameGrid<std::uint8_t>(organ, 0);
     for (const std::size_t voxel : piece.voxels) flags.voxels[voxel] = 1;
     const Image away = distanceTo(flags);

@@ -5,11 +5,11 @@
 
 namespace falciform {
 
-/// Parts of the organ that hang on by a neck narrower than `neckMm` though they are wider themselves: what a
-/// leak looks like. The first is the largest; parts below `leastMl` are left out, and so is the part with
-/// most of the organ.
+/// Parts of the organ that hang on by a neck narrower than `neckMm` though they are wider themselves, by the
+/// factor `wideness` at least: what a leak looks like. The first is the largest; parts below `leastMl` are
+/// left out, and so is the part with most of the organ.
 [[nodiscard]] std::vector<LeftOut> partsBehindNecks(const Volume<std::uint8_t>& organ, double neckMm,
-                                                    double leastMl);
+                                                    double wideness, double leastMl);
 
 /// Share of the organ's border where the image, `reachMm` inside and outside of it, is equally bright.
 [[nodiscard]] double weakBorderShare(const Image& image, const Image& phi, const Tissue& tissue,

@@ -82,7 +82,8 @@ std::size_t deepestNear(const Image& depth, const Vector3i& seed) {
 /// What `wider` has beyond `narrower` grown by a voxel and a half, as pieces that should not be entered:
 /// their depth is set to 0.
 std::vector<NarrowWay> closeNewPieces(const Volume<std::uint8_t>& narrower, const Volume<std::uint8_t>& wider,
-                                      double radius, double volumeMl, const GrowthPlan& plan, Image& depth) {
+                                      double radius, double volumeMl, const std::vector<std::size_t>& sources,
+                                      const GrowthPlan& plan, Image& depth) {
   const Image distance = distanceTo(narrower);
   const double skin = 1.5 * narrower.spacing().maxCoeff();
   Volume<std::uint8_t> gained = wider;
@@ -93,6 +94,10 @@ std::vector<NarrowWay> closeNewPieces(const Volume<std::uint8_t>& narrower, cons
     double reach = 0;
     for (const std::size_t voxel : piece.voxels)
       reach = std::max(reach, static_cast<double>(distance.voxels[voxel]));
+    if (std::any_of(sources.begin(), sources.end(), [&](std::size_t source) {
+          return std::binary_search(piece.voxels.begin(), piece.voxels.end(), source);
+        }))
+      continue;
     const double share = piece.volumeMl(gained) / volumeMl;
     if (share < plan.pieceShare && (share < plan.tubeShare || reach < plan.tubeReach * radius)) continue;
     ways.push_back({radius, piece.volumeMl(gained), gained.world(piece.middle)});
@@ -130,14 +135,24 @@ Growth growFromSeeds(const Volume<std::uint8_t>& open, const std::vector<Vector3
   const double narrowest = std::max(plan.narrowestMm, 1.01 * open.spacing().maxCoeff());
   growth.seedsApart = growth.seedNeckMm < narrowest;
   const double step = 0.5 * open.spacing().minCoeff();
-  double radius = plan.neckMm > 0 ? plan.neckMm : std::clamp(growth.seedNeckMm, narrowest, plan.widestMm);
+  // Wide at first, so that nothing has slipped in unseen; no wider than the roomiest seed's place.
+  double roomiest = 0;
+  for (const std::size_t source : sources)
+    roomiest = std::max(roomiest, static_cast<double>(depth.voxels[source]));
+  double radius = plan.neckMm > 0 ? plan.neckMm : std::clamp(roomiest, narrowest, plan.widestMm);
   growth.region = covered(way, radius);
   const double last = std::max(step, std::min(narrowest, radius - step)) - 1e-9;
   for (double next = radius - step; next >= last; next -= step) {
     progress.report(0.4 + 0.6 * std::clamp(1 - next / plan.widestMm, 0.0, 1.0));
     const double volume = millilitres(growth.region);
     Volume<std::uint8_t> wider = covered(way, next);
-    const std::vector<NarrowWay> ahead = closeNewPieces(growth.region, wider, next, volume, plan, depth);
+    if (volume < plan.leastMl && millilitres(wider) <= plan.mostMl) {
+      growth.region = std::move(wider);
+      radius = next;
+      continue;
+    }
+    const std::vector<NarrowWay> ahead =
+        closeNewPieces(growth.region, wider, next, volume, sources, plan, depth);
     double appeared = 0;
     for (const NarrowWay& piece : ahead) appeared += piece.volumeMl;
     growth.left.insert(growth.left.end(), ahead.begin(), ahead.end());
@@ -148,6 +163,12 @@ Growth growFromSeeds(const Volume<std::uint8_t>& open, const std::vector<Vector3
     }
     growth.region = std::move(wider);
     radius = next;
+  }
+  if (plan.leastMl > 0 && millilitres(growth.region) < plan.leastMl) {
+    // Smaller than any such organ even so: then nothing was gained by looking away.
+    GrowthPlan strict = plan;
+    strict.leastMl = 0;
+    return growFromSeeds(open, seeds, strict, progress);
   }
   growth.neckMm = radius;
   std::stable_sort(growth.left.begin(), growth.left.end(),

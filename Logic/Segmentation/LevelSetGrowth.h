@@ -20,7 +20,9 @@ struct GrowthPlan {
   double widestMm = 12;    ///< or above it
   double pieceShare = 0.02;  ///< one piece of this share of the volume behind one neck is not entered
   double tubeShare = 0.005;  ///< nor is a piece of this share that reaches far: a vessel
-  double tubeReach = 5;      ///< "far", in neck radii
+  double tubeReach = 3;      ///< "far", in neck radii
+  double leastMl = 0;        ///< until the region has this, no piece is too large, as long as the whole
+  double mostMl = 0;         ///< stays below this: the organ's plausible volume
   double leakShare = 0.08;   ///< when this share appears behind necks at once, the front gets no narrower
 };
 
@@ -34,11 +36,11 @@ struct Growth {
 
 /// The first growth: a front leaves the seeds and runs where `open` is set. It remembers the narrowest place
 /// that it has come through (the accumulated part of its speed) and stops for good where that falls below the
-/// neck radius, however wide the tissue behind is. With no radius given, the front must at least pass from
-/// each seed to the others, and then gets narrower step by step. A large or far-reaching piece that appears
-/// behind one neck is not entered and stays closed; when much appears at once, it gets no narrower: so the
-/// organ's own shape tells how narrow its necks are. `seeds` are voxels; one that is not open moves to the
-/// middle of the open tissue nearby.
+/// neck radius, however wide the tissue behind is. With no radius given, the front is wide at first and gets
+/// narrower step by step. A large or far-reaching piece without a seed that appears behind one neck is not
+/// entered and stays closed; when much appears at once, the front gets no narrower: so the organ's own shape
+/// tells how narrow its necks are. `seeds` are voxels; one that is not open moves to the middle of the open
+/// tissue nearby.
 [[nodiscard]] Growth growFromSeeds(const Volume<std::uint8_t>& open, const std::vector<Vector3i>& seeds,
                                    const GrowthPlan& plan, const Progress& progress = {});
 

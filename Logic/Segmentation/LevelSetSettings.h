@@ -5,11 +5,11 @@ namespace falciform {
 
 /// How an organ grows from its seeds.
 struct LevelSetSettings {
-  double tissueWidth = 2.5;    ///< spreads of the tissue's brightness that still are the organ
+  double tissueWidth = 3.2;    ///< spreads of the tissue's brightness that still are the organ
   double neckMm = 0;           ///< radius of the narrowest neck the front may pass; 0: found from the image
-  double reachMm = 4;          ///< how far the level set may go beyond the first growth
+  double reachMm = 5;          ///< how far the level set may go beyond the first growth
   double curvature = 0.3;      ///< weight of the curvature, voxels
-  double patienceMm = 2;       ///< way lost by being slow that stops the front
+  double patienceMm = 1;       ///< way lost by being slow that stops the front
   double fillMm = 6;           ///< clefts and vessels narrower than twice this are filled after the growth
   double noiseMm = 1.2;        ///< Gaussian against the CT's noise
   double coarsestMm = 3.2;     ///< voxel of the first growth

@@ -12,8 +12,9 @@ namespace falciform {
 namespace {
 
 constexpr double kSeedRadiusMm = 6;  ///< of the neighbourhood that a click stands for
-constexpr double kSmoothingMm = 2;   ///< of the membership, on the coarsest level
-constexpr float kOpen = 0.55F;       ///< membership above which the front may enter
+constexpr double kDeepMm = 6;
+constexpr double kSmoothingMm = 2;  ///< of the membership, on the coarsest level
+constexpr float kOpen = 0.55F;      ///< membership above which the front may enter
 constexpr float kHalf = 0.5F;
 constexpr double kAirHu = -500;  ///< no organ is darker
 
@@ -33,25 +34,39 @@ void fillGaps(Volume<std::uint8_t>& region, double radiusMm) {
     if (static_cast<double>(back.voxels[i]) > radiusMm) region.voxels[i] = 1;
 }
 
+/// What lies deeper than `kDeepMm`: neighbours' tissue and blurred edges have no part in it.
+Volume<std::uint8_t> deepPart(const Volume<std::uint8_t>& region) {
+  Volume<std::uint8_t> deep = region;
+  for (std::uint8_t& value : deep.voxels) value = value == 0;
+  const Image depth = distanceTo(deep);
+  for (std::size_t i = 0; i < deep.voxels.size(); ++i)
+    deep.voxels[i] = static_cast<double>(depth.voxels[i]) > kDeepMm;
+  return deep;
+}
+
 /// Grows one tissue twice: the second time with the statistics of all that the first growth found, which
 /// makes the result depend little on where exactly the seeds are.
-Growth growTissue(const PyramidLevel& level, SeedGroup& group, const Image& forbidden,
+Growth growTissue(const Image& image, SeedGroup& group, bool parenchyma, const Image& forbidden,
                   const LevelSetSettings& settings, const Progress& progress) {
   std::vector<Vector3i> seeds;
   for (const Vector3d& seed : group.seeds) {
     const Vector3i voxel = seed.array().round().cast<int>();
-    seeds.push_back(voxel.cwiseMax(0).cwiseMin(level.image.size - Vector3i::Ones()));
+    seeds.push_back(voxel.cwiseMax(0).cwiseMin(image.size - Vector3i::Ones()));
   }
   GrowthPlan plan;
   plan.neckMm = settings.neckMm;
+  if (parenchyma) {
+    plan.leastMl = settings.leastVolumeMl;
+    plan.mostMl = settings.mostVolumeMl;
+  }
   Growth growth;
   for (int pass = 0; pass < 2; ++pass) {
-    const Image member = membership(level.image, group.tissue, settings.tissueWidth, kSmoothingMm);
+    const Image member = membership(image, group.tissue, settings.tissueWidth, kSmoothingMm);
     Volume<std::uint8_t> open = sameGrid<std::uint8_t>(member, 0);
     for (std::size_t i = 0; i < open.voxels.size(); ++i)
       open.voxels[i] = member.voxels[i] > kOpen && (forbidden.voxels.empty() || forbidden.voxels[i] < kHalf);
     growth = growFromSeeds(open, seeds, plan, progress.part(0.5 * pass, 0.5 * pass + 0.5));
-    const std::vector<float> values = valuesIn(level.image, growth.region);
+    const std::vector<float> values = valuesIn(image, deepPart(growth.region));
     if (pass == 0 && !values.empty()) group.tissue = tissueOf(values);
   }
   return growth;
@@ -70,13 +85,15 @@ LevelSetStart growStart(const PyramidLevel& level, const std::vector<Vector3d>& 
                         const Image& forbidden, const LevelSetSettings& settings, const Progress& progress) {
   LevelSetStart start;
   start.region = sameGrid<std::uint8_t>(level.image, 0);
+  Image image = level.image;
+  smooth(image, settings.noiseMm);
   Tissue known;
   if (!kept.voxels.empty()) {
     for (std::size_t i = 0; i < kept.voxels.size(); ++i) start.region.voxels[i] = kept.voxels[i] >= kHalf;
-    known = tissueOf(valuesIn(level.image, start.region));
+    known = tissueOf(valuesIn(image, start.region));
   }
   std::vector<SeedGroup> groups =
-      groupSeeds(level.image, seeds, kSeedRadiusMm, kept.voxels.empty() ? nullptr : &known);
+      groupSeeds(image, seeds, kSeedRadiusMm, kept.voxels.empty() ? nullptr : &known);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     SeedGroup& group = groups[g];
     if (group.tissue.level < kAirHu)
@@ -86,9 +103,9 @@ LevelSetStart growStart(const PyramidLevel& level, const std::vector<Vector3d>& 
     if (!group.seeds.empty()) {
       const double from = static_cast<double>(g) / static_cast<double>(groups.size()),
                    to = static_cast<double>(g + 1) / static_cast<double>(groups.size());
-      Growth growth = growTissue(level, group, forbidden, settings, progress.part(from, to));
+      Growth growth = growTissue(image, group, g == 0, forbidden, settings, progress.part(from, to));
       if (g == 0) start.neckMm = growth.neckMm;
-      if (growth.seedsApart)
+      if (growth.seedsApart && g == 0)
         start.warnings.push_back(
             seedList(group.numbers) +
             ": no way through like tissue joins them, so each grows by itself; check that "

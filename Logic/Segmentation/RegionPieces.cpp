@@ -28,6 +28,7 @@ std::vector<RegionPiece> piecesOf(const Volume<std::uint8_t>& flags) {
             piece.voxels.push_back(there);
           }
     }
+    std::sort(piece.voxels.begin(), piece.voxels.end());
     piece.middle /= static_cast<double>(piece.voxels.size());
     pieces.push_back(std::move(piece));
   }

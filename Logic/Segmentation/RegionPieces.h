@@ -8,7 +8,7 @@ namespace falciform {
 
 /// A 26-connected piece of flagged voxels.
 struct RegionPiece {
-  std::vector<std::size_t> voxels;
+  std::vector<std::size_t> voxels;     ///< ascending
   Vector3d middle = Vector3d::Zero();  ///< mean index
 
   [[nodiscard]] double volumeMl(const Volume<std::uint8_t>& grid) const {
@@ -16,7 +16,7 @@ struct RegionPiece {
   }
 };
 
-/// In the order of their first voxel. Clears the flags while it counts, and sets them again.
+/// In the order of their first voxel.
 [[nodiscard]] std::vector<RegionPiece> piecesOf(const Volume<std::uint8_t>& flags);
 
 /// Calls `visit(offset)` for the up to six neighbours of a voxel.

@@ -39,13 +39,16 @@ std::vector<SeedGroup> groupSeeds(const Image& image, const std::vector<Vector3d
     pooled.insert(pooled.end(), around.begin(), around.end());
     if (known == nullptr || group != groups.begin()) group->tissue = tissueOf(pooled);
   }
-  if (known == nullptr && !groups.empty()) {
-    const auto most = std::max_element(
-        groups.begin(), groups.end(),
-        [](const SeedGroup& a, const SeedGroup& b) { return a.seeds.size() < b.seeds.size(); });
-    std::rotate(groups.begin(), most, most + 1);
-  }
-  return groups;
+  // What is unlike the organ need not hang together: each such seed stands for itself.
+  std::vector<SeedGroup> apart;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    if (g == 0) {
+      apart.push_back(groups[g]);
+    } else {
+      for (std::size_t s = 0; s < groups[g].seeds.size(); ++s)
+        apart.push_back({groups[g].tissue, {groups[g].seeds[s]}, {groups[g].numbers[s]}});
+    }
+  return apart;
 }
 
 }  // namespace falciform

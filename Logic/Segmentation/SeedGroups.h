@@ -12,9 +12,9 @@ struct SeedGroup {
   std::vector<Index> numbers;   ///< rows of the input, from 0
 };
 
-/// Sorts seeds by the brightness within `radiusMm` of each: first the group with most of them, which is the
-/// organ's parenchyma, then those unlike it (tumours, vessels), in the order of their first seed. `known`
-/// is the organ's tissue where it is known already; its group comes first even without a seed.
+/// Sorts seeds by the brightness within `radiusMm` of each: first those like the first seed, which stands in
+/// the organ's own tissue, then each seed unlike it (in a tumour, a vessel) by itself. `known` is the organ's
+/// tissue where it is known already; its group comes first even without a seed.
 [[nodiscard]] std::vector<SeedGroup> groupSeeds(const Image& image, const std::vector<Vector3d>& seeds,
                                                 double radiusMm, const Tissue* known = nullptr);
 
