@@ -1,7 +1,9 @@
 #include "Logic/Core/Errors.h"
 #include "Logic/Deformation/SegmentLabels.h"
 #include "Modules/CommandLine/DistanceOutputs.h"
+#include "Modules/CommandLine/DistancePicture.h"
 #include "Modules/CommandLine/Figures.h"
+#include "Modules/CommandLine/PictureTiles.h"
 
 namespace falciform::commandline {
 
@@ -51,6 +53,12 @@ void declare(Syntax& syntax) {
               .required = true,
               .output = true,
               .group = group});
+  syntax.add({.name = "picture",
+              .kind = File,
+              .label = "Picture",
+              .help = "Also draw distance, curvature difference and segments on the pre-op surface, .png.",
+              .output = true,
+              .group = group});
   syntax.addSettings(DistanceSettings{}, "Coverage");
   syntax.addResult({"coverage", "Covered share of the pre-op surface", ""});
   syntax.addResult({"mean_mm", "Mean signed distance", "mm"});
@@ -79,6 +87,8 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path folder = arguments.path("out");
   for (const std::string& name : distanceFiles()) run.outputs.announce(folder / name);
   run.outputs.announce(folder / "distance.json");
+  const std::filesystem::path picture = picturePath(arguments);
+  if (!picture.empty()) run.outputs.announce(picture);
   const auto settings = arguments.settings(DistanceSettings{});
   run.settings["distance"] = settingsToJson(settings);
 
@@ -93,6 +103,8 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.figures = distanceFigures(map);
   run.progress.report(0.9, "Writing");
   writeDistance(map, folder, run);
+  if (!picture.empty())
+    saveDistanceSheet(map, scanFromPreop, run.outputs.staged(picture), Overwrite::Replace);
   run.writeSidecar(folder / "distance.json");
   tellDistance(map, run);
   run.say("written to " + folder.string());
