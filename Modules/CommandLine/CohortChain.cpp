@@ -80,6 +80,23 @@ Eigen::MatrixXd valuesOf(const Surface& surface) {
   return values;
 }
 
+/// Names the case that makes the overlap small, where one alone does.
+void warnOfSmallOverlap(const Eigen::MatrixXd& maps, Index overlap, const std::vector<std::string>& names,
+                        CommandRun& run) {
+  const Index columns = maps.cols() / static_cast<Index>(names.size());
+  Index most = 0;
+  std::size_t which = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Eigen::MatrixXd others = maps;
+    others.middleCols(columns * static_cast<Index>(i), columns).setZero();
+    const auto without = static_cast<Index>(commonCoverage(others).size());
+    if (without > most) most = without, which = i;
+  }
+  if (most > 2 * overlap)
+    run.warn("all cases cover " + std::to_string(overlap) + " vertices of the target liver; without '" +
+             names[which] + "' it would be " + std::to_string(most));
+}
+
 }  // namespace
 
 CohortOutcome runCohort(const CohortFile& cohort, const PermutationSettings& settings, CommandRun& run,
@@ -117,6 +134,7 @@ CohortOutcome runCohort(const CohortFile& cohort, const PermutationSettings& set
   for (std::size_t i = 0; i < outcome.cases.size(); ++i)
     all.middleCols(static_cast<Index>(2 * i), 2) = outcome.cases[i].carried.values.leftCols(2);
   outcome.overlap = commonCoverage(all);
+  warnOfSmallOverlap(all, static_cast<Index>(outcome.overlap.size()), names, run);
   const CohortGroups groups = groupsOf(cohort);
   for (std::size_t k = 0; k < metrics; ++k) {
     MetricResult result{.info = kCohortMetrics[k], .input = {}, .analysis = {}};
