@@ -2,6 +2,7 @@
 
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/CaseFolder.h"
+#include "Logic/IO/HeaderText.h"
 #include "Logic/IO/JsonFile.h"
 
 namespace falciform {
@@ -68,7 +69,7 @@ void refuseUnknownKeys(const Json& json) {
     if (known.contains(key)) continue;
     std::string all;
     for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
-    throw InputError("case.json has no key '" + key + "'; the keys are " + all);
+    throw InputError("case.json has no key " + inQuotes(key) + "; the keys are " + all);
   }
 }
 

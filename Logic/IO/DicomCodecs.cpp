@@ -93,6 +93,9 @@ DecodedPixels decodeCompressed(DicomBytes stream, DicomCoding coding, const Dico
       size.columns != static_cast<std::uint32_t>(format.columns) || size.components != 1 || size.bits < 2 ||
       size.bits > 16 || size.bits > format.bitsAllocated)
     refuse("its compressed slices are not of the size that its header gives");
+  const bool lossless = format.transferSyntax.ends_with(".57") || format.transferSyntax.ends_with(".70");
+  if (coding == DicomCoding::Jpeg && lossless != (size.process == 0xC3))
+    refuse("its compressed slices are not of the kind that its header gives");
   silenceGdcm();
   DecodedPixels pixels;
   pixels.bytesPerPixel = size.bits <= 8 ? 1 : 2;

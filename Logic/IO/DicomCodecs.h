@@ -31,6 +31,7 @@ struct DecodedPixels {
 struct CodedSize {
   std::uint32_t rows = 0, columns = 0;
   int bits = 0, components = 0;
+  int process = 0;  ///< of a JPEG stream: its frame marker, 0xC3 is lossless
 };
 [[nodiscard]] CodedSize codedSize(DicomBytes stream, DicomCoding coding);
 

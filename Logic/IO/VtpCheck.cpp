@@ -2,6 +2,7 @@
 #include <map>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/IO/HeaderText.h"
 #include "Logic/IO/NumberText.h"
 #include "Logic/IO/SurfaceFormats.h"
 #include "Logic/IO/VtpBlocks.h"
@@ -55,8 +56,7 @@ class VtpCheck {
       const std::string_view text = xmlAttribute(tag, key);
       // Packed at most 1032 to one, and at least a byte each.
       if (!text.empty() && (!parseNumber(text, value) || value > 1032 * size_))
-        refuse(std::string(key) + " is '" + std::string(text.substr(0, 20)) +
-               "', more than the file can hold");
+        refuse(std::string(key) + " is " + inQuotes(text.substr(0, 20)) + ", more than the file can hold");
       return value;
     };
     counts_ = {{"Points", count("NumberOfPoints")}, {"Verts", count("NumberOfVerts")},
@@ -74,21 +74,21 @@ class VtpCheck {
     std::uint64_t width = 1;
     const std::string_view components = xmlAttribute(tag, "NumberOfComponents");
     if (!components.empty() && (!parseNumber(components, width) || width > size_))
-      refuse("array '" + std::string(name.substr(0, 40)) + "' has an impossible number of components");
+      refuse("array " + inQuotes(name.substr(0, 40)) + " has an impossible number of components");
     std::uint64_t values = count->second * width;
     const bool ids = name == "connectivity" && section_ != "PointData" && section_ != "CellData";
     if (ids) values = 0;  // as long as the last offset says, which VTK compares with the block itself
     const std::string_view body = rest.substr(0, rest.find('<'));
     if (xmlAttribute(tag, "format") == "ascii") {
       if (values > body.size())
-        refuse("array '" + std::string(name.substr(0, 40)) + "' is shorter than announced");
+        refuse("array " + inQuotes(name.substr(0, 40)) + " is shorter than announced");
       return;
     }
     if (!blocks_.readable() || count->second == 0) return;
     const auto length = blocks_.lengthOf(tag, body);
-    if (!length) refuse("the block of array '" + std::string(name.substr(0, 40)) + "' cannot be right");
+    if (!length) refuse("the block of array " + inQuotes(name.substr(0, 40)) + " cannot be right");
     if (values * bytesOfType(xmlAttribute(tag, "type")) > *length)
-      refuse("array '" + std::string(name.substr(0, 40)) + "' is shorter than announced");
+      refuse("array " + inQuotes(name.substr(0, 40)) + " is shorter than announced");
   }
 
   std::size_t size_;

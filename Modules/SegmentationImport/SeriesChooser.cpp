@@ -177,10 +177,19 @@ void openDicom(Workbench& bench, const std::filesystem::path& path, QWidget* par
       QObject::tr("Reading DICOM"),
       [path](const Progress& progress) { return readDicomChoices(path, progress); },
       [&bench, parent](DicomChoices choices) {
-        // The job that has read the choices ends after this; what is chosen is read by the next.
         const auto open = [&bench](std::vector<DicomSeries> series, FileRole role) {
           bench.files.openSeries(std::move(series), role);
         };
+        if (choices.listing.series.size() == 1 && choices.listing.series[0].refusal.empty()) {
+          for (const std::string& reason : choices.listing.unreadable)
+            bench.log.warn(QString::fromStdString(reason));
+          const FileRole role = choices.masks[0] ? FileRole::Labels : FileRole::Ct;
+          // Queued: the job that has read the headers is still being put away.
+          QMetaObject::invokeMethod(
+              &bench.runner, [open, series = choices.listing.series, role] { open(series, role); },
+              Qt::QueuedConnection);
+          return;
+        }
         auto* chooser = new SeriesChooser(std::move(choices), open, parent);
         chooser->open();
       });

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <QApplication>
 #include <QTableWidget>
 #include <fstream>
 
@@ -97,6 +98,17 @@ TEST_F(SeriesChooserTest, NothingOnScreenOrInTheLogNamesThePatient) {
   for (int r = 0; r < table.rowCount(); ++r)
     for (int c = 0; c < table.columnCount(); ++c) seen += table.item(r, c)->text().toStdString();
   EXPECT_FALSE(tellsIdentity(seen)) << seen;
+}
+
+TEST_F(SeriesChooserTest, ASingleSeriesIsOpenedAsWhatItIsWithoutAQuestion) {
+  openDicom(bench, folder / "liver", &window);
+  QApplication::processEvents();
+  EXPECT_EQ(window.findChild<SeriesChooser*>("seriesChooser"), nullptr);
+  EXPECT_TRUE(bench.document.labels());
+  openDicom(bench, folder / "a/slice_1", &window);
+  QApplication::processEvents();
+  EXPECT_TRUE(bench.document.ct()) << "a file stands for its series";
+  EXPECT_TRUE(errors.isEmpty()) << errors.join(" ").toStdString();
 }
 
 TEST_F(SeriesChooserTest, AFolderWithoutDicomIsRefusedInTheLog) {

@@ -86,6 +86,14 @@ TEST(DicomPixels, LosslessCodersGiveTheValuesBack) {
     }
 }
 
+TEST(DicomPixels, LossyJpegIsNearTheValues) {
+  SlicePlan plain = patternedSlice(8);
+  for (std::size_t p = 0; p < plain.values.size(); ++p) plain.values[p] = static_cast<int>(40 + 8 * (p % 16));
+  const Image image = readBack(packedSlice(plain, gdcm::TransferSyntax::JPEGBaselineProcess1));
+  for (std::size_t p = 0; p < plain.values.size(); ++p)
+    ASSERT_NEAR(image.voxels[p], plain.values[p], 6) << "grey values of 256; a smooth ramp in 8 x 8 blocks";
+}
+
 TEST(DicomPixels, CodedSliceOfAnotherSizeIsRefusedBeforeItIsDecoded) {
   using TS = gdcm::TransferSyntax;
   for (const auto syntax : {TS::RLELossless, TS::JPEGLosslessProcess14_1, TS::JPEG2000Lossless}) {
