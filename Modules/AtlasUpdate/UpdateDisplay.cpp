@@ -53,9 +53,11 @@ std::shared_ptr<const UpdateMaps> mapsOf(std::shared_ptr<const UpdatedCase> made
   auto maps = std::make_shared<UpdateMaps>();
   const Isometry3d pose = made->registration->scanFromPreop, preopFromScan = pose.inverse();
   progress.report(0, "Distances to the scan");
-  const DistanceMap rigid = mapDistances(*made->preop, *made->scan, pose, {}, progress.part(0, 0.5));
+  DistanceSettings settings;
+  settings.curvatureRadiusMm = 0;  // only distances are shown
+  const DistanceMap rigid = mapDistances(*made->preop, *made->scan, pose, settings, progress.part(0, 0.5));
   const DistanceMap updated =
-      mapDistances(*made->surface, *made->scan, Isometry3d::Identity(), {}, progress.part(0.5, 1));
+      mapDistances(*made->surface, *made->scan, Isometry3d::Identity(), settings, progress.part(0.5, 1));
   maps->rigidResidualMm = rigid.scanAll.rms;
   maps->updatedResidualMm = updated.scanAll.rms;
 
