@@ -11,6 +11,7 @@
 #include "Logic/Segmentation/SurfaceImport.h"
 #include "Modules/CommandLine/Commands.h"
 #include "Modules/CommandLine/Figures.h"
+#include "Modules/CommandLine/NormalisePicture.h"
 
 namespace falciform::commandline {
 
@@ -21,7 +22,8 @@ namespace {
 constexpr double kMarginMm = 20, kGridMm = 3;  // around the liver, and of the displacement grid
 constexpr char kMoved[] = "source_on_target.vtp", kTarget[] = "target.vtp", kTable[] = "normalise.csv",
                kGrid[] = "source_from_target.nrrd", kLabels[] = "source_labels_on_target.nii.gz",
-               kImage[] = "source_image_on_target.nii.gz", kSidecar[] = "normalise.json";
+               kImage[] = "source_image_on_target.nii.gz", kSidecar[] = "normalise.json",
+               kPicture[] = "normalise.png";
 
 void declare(Syntax& syntax) {
   using enum ArgumentKind;
@@ -60,7 +62,7 @@ void declare(Syntax& syntax) {
               .kind = Folder,
               .label = "Result folder",
               .help = "Receives source_on_target.vtp, target.vtp, source_from_target.nrrd, normalise.csv, "
-                      "normalise.json, and source_labels_on_target.nii.gz and "
+                      "normalise.png, normalise.json, and source_labels_on_target.nii.gz and "
                       "source_image_on_target.nii.gz where there are such.",
               .required = true,
               .output = true,
@@ -116,7 +118,8 @@ std::string csv(const DistanceStatistics& toTarget, const DistanceStatistics& to
 void execute(const ParsedArguments& arguments, CommandRun& run) {
   const fs::path folder = arguments.path("out"), sourceFile = arguments.path("source");
   const bool labels = isVolume(sourceFile), image = arguments.has("source-image");
-  for (const char* name : {kMoved, kTarget, kGrid, kTable, kSidecar}) run.outputs.announce(folder / name);
+  for (const char* name : {kMoved, kTarget, kGrid, kTable, kPicture, kSidecar})
+    run.outputs.announce(folder / name);
   if (labels) run.outputs.announce(folder / kLabels);
   if (image) run.outputs.announce(folder / kImage);
   const bool byImages = arguments.text("measure") == "mutual-information";
@@ -150,6 +153,8 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   target.surface.arrays["volume_ratio"] = ratio;
   writeSurface(run.outputs.staged(folder / kMoved), errors.moved, Overwrite::Replace);
   writeSurface(run.outputs.staged(folder / kTarget), target.surface, Overwrite::Replace);
+  saveNormaliseSheet(target.surface, source.surface, errors.moved, run.outputs.staged(folder / kPicture),
+                     Overwrite::Replace);
   writeDisplacements(run.outputs.staged(folder / kGrid), grid, Overwrite::Replace);
   writeTextFile(run.outputs.staged(folder / kTable), Overwrite::Replace, csv(toTarget, toSource));
   const bool own = !target.labels.voxels.empty();
