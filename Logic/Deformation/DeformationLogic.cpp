@@ -3,8 +3,26 @@
 #include <utility>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Deformation/SegmentLabels.h"
 
 namespace falciform {
+
+namespace {
+
+constexpr double kSegmentReachMm = 5;  // the surface lies a voxel or two beside the labels it was made of
+
+Surface withSegments(const Surface& preop, const LabelMap& segments) {
+  Surface liver = preop;
+  VectorXd found = labelsAtPoints(preop.points, segments, kSegmentReachMm);
+  if ((found.array() > 0).count() == 0)
+    throw InputError(
+        "no point of the surface lies within 5 mm of a labelled voxel of the segment map; open that of the "
+        "same CT");
+  liver.arrays[kCouinaudSegment] = std::move(found);
+  return liver;
+}
+
+}  // namespace
 
 std::string DeformationLogic::missingInput() const {
   if (!case_.preop()) return "Import or open the pre-operative surface first.";
@@ -17,8 +35,11 @@ std::string DeformationLogic::missingInput() const {
 
 std::function<DistanceMap(const Progress&)> DeformationLogic::prepare() const {
   if (const std::string missing = missingInput(); !missing.empty()) throw InputError(missing);
-  return [preop = case_.preop(), scan = case_.scan(), registration = case_.registration(),
-          chosen = settings](const Progress& progress) {
+  return [preop = case_.preop(), scan = case_.scan(), registration = case_.registration(), chosen = settings,
+          labels = segments](const Progress& progress) {
+    if (labels)
+      return mapDistances(withSegments(*preop, *labels), *scan, registration->scanFromPreop, chosen,
+                          progress);
     return mapDistances(*preop, *scan, registration->scanFromPreop, chosen, progress);
   };
 }

@@ -239,7 +239,11 @@ void saveCase(const Case& document, const fs::path& folder, Overwrite overwrite)
 }
 
 std::vector<std::string> openCase(Case& document, const fs::path& folderOrFile) {
-  return CaseOpener(readCaseDescription(folderOrFile)).fill(document);
+  return openCase(document, readCaseDescription(folderOrFile));
+}
+
+std::vector<std::string> openCase(Case& document, const CaseDescription& description) {
+  return CaseOpener(description).fill(document);
 }
 
 }  // namespace falciform

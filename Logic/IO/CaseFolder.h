@@ -41,5 +41,7 @@ void saveCase(const Case& document, const std::filesystem::path& folder, Overwri
 /// Clears `document` and fills it from a folder that saveCase or the user wrote; returns warnings of the
 /// readers.
 std::vector<std::string> openCase(Case& document, const std::filesystem::path& folderOrFile);
+/// The same of what a description names, which may be less than its folder holds.
+std::vector<std::string> openCase(Case& document, const CaseDescription& description);
 
 }  // namespace falciform

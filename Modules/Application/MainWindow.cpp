@@ -186,7 +186,7 @@ void MainWindow::savePicture(const QString& suggestedName) {
   if (!file.endsWith(".png", Qt::CaseInsensitive)) file += ".png";
   bench_.runner.start(
       tr("Saving the picture"),
-      [write = view()->picture(), path = file.toStdString()](const Progress& progress) {
+      [write = views_->picture(), path = file.toStdString()](const Progress& progress) {
         progress.report(0, "writing");
         write(path);
       },

@@ -1,64 +1,74 @@
 #include "Modules/DeformationAnalysis/DeformationAnalysisPanel.h"
 
-#include <QFileDialog>
-#include <QFormLayout>
+#include <QFileInfo>
+#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QRadioButton>
-#include <QSettings>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "Logic/IO/OutputFile.h"
-#include "Logic/IO/ResultFiles.h"
+#include "Logic/IO/SurfaceFiles.h"
+#include "Logic/IO/VolumeFiles.h"
+#include "Modules/DeformationAnalysis/ComparedCases.h"
+#include "Modules/DeformationAnalysis/MapColourControls.h"
+#include "Modules/DeformationAnalysis/MapExportButton.h"
 #include "Modules/DeformationAnalysis/StatisticsTable.h"
-#include "Widgets/Forms/NumberBox.h"
 #include "Widgets/Forms/SettingsForm.h"
-#include "Widgets/Rendering/Histogram.h"
-#include "Widgets/Rendering/ScalarMap.h"
-#include "Widgets/Views/PlotWidget.h"
 
 namespace falciform {
-namespace {
-
-VectorXd distancesOf(const Surface& side) {
-  const auto found = side.arrays.find(kSignedDistance);
-  return found == side.arrays.end() ? VectorXd() : found->second;
-}
-
-/// Round, and holds every value of both sides.
-double fittedLimit(const DistanceMap& map) {
-  return symmetricMap(kSignedDistance, "", "mm", {&map.preop, &map.scan}).high;
-}
-
-PlotWidget::Bars barsOf(const Surface& side, double limitMm, const QString& name, const QColor& colour) {
-  const Histogram histogram = histogramOf(distancesOf(side), -limitMm, limitMm, binWidth(-limitMm, limitMm));
-  PlotWidget::Bars bars{name, colour, {histogram.low}, {}};
-  for (const double share : histogram.shares) {
-    bars.edges << bars.edges.back() + histogram.width;
-    bars.heights << 100 * share;
-  }
-  return bars;
-}
-
-}  // namespace
 
 DeformationAnalysisPanel::DeformationAnalysisPanel(Workbench& workbench, QWidget* parent)
     : ModulePanel(workbench, tr("Measures how far the liver in the scan lies from its pre-operative shape."),
                   parent),
       logic_(document()) {
-  QLabel* sign = wrappedLabel("signMeaning", this);
-  sign->setText(
-      tr("Positive (red) means that the intra-operative surface lies outside the pre-operative one, negative "
-         "(blue) "
-         "inside; grey places have no value."));
-  column()->addWidget(sign);
+  addMap();
+  auto* colours = addGroup(tr("Colours"));
+  colours_ = new MapColourControls(bench().view, this);
+  colours->addWidget(colours_);
+  table_ = new StatisticsTable(this);
+  column()->addWidget(table_);  // in no group, whose frame would take room from seven columns
+  facts_ = wrappedLabel("distanceFacts", this);
+  column()->addWidget(facts_);
+  auto* others = addGroup(tr("Other cases"));
+  compared_ = new ComparedCases(
+      bench(), [this] { return logic_.settings; }, this);
+  others->addWidget(compared_);
+  addExport();
 
+  connect(compute_, &QPushButton::clicked, this, &DeformationAnalysisPanel::compute);
+  connect(colours_, &MapColourControls::metricChanged, this, [this] { showRows(); });
+  connect(compared_, &ComparedCases::changed, this, [this] {
+    showCases();
+    refresh();
+  });
+  viewChanged_ = bench().view.changed.connect([this] {
+    if (rowsOf_ != bench().view.options().enlargedCase) showRows();
+  });
+  start();
+  showSegments({});
+  showCases();
+}
+
+void DeformationAnalysisPanel::addMap() {
   auto* group = addGroup(tr("Distance map"));
   form_ = new SettingsForm(logic_.settings, {}, {}, this);
   form_->setObjectName("distanceSettings");
   group->addWidget(form_);
+  auto* row = new QHBoxLayout;
+  segments_ = wrappedLabel("segmentsFile", this);
+  openSegments_ = new QPushButton(tr("Segments…"), this);
+  openSegments_->setObjectName("openSegments");
+  openSegments_->setToolTip(tr(
+      "A map of the Couinaud segments of the same CT (labels 1 to 8, mm): the table and the line below the "
+      "view then name them"));
+  row->addWidget(segments_, 1);
+  row->addWidget(openSegments_);
+  group->addLayout(row);
+  connect(openSegments_, &QPushButton::clicked, this, [this] {
+    const QString file =
+        askForFile(tr("Open segments"), tr("Label maps (*.nii *.nii.gz *.nrrd *.mha *.mhd)"));
+    if (!file.isEmpty()) openSegments(file);
+  });
   compute_ = new QPushButton(tr("Compute distances"), this);
   compute_->setObjectName("compute");
   compute_->setToolTip(
@@ -66,135 +76,108 @@ DeformationAnalysisPanel::DeformationAnalysisPanel(Workbench& workbench, QWidget
   group->addWidget(compute_);
   missing_ = wrappedLabel("missing", this);
   group->addWidget(missing_);
-  facts_ = wrappedLabel("distanceFacts", this);
-  group->addWidget(facts_);
-
-  addColours();
-  table_ = new StatisticsTable(this);
-  column()->addWidget(table_);
-  addExport();
-
-  connect(compute_, &QPushButton::clicked, this, &DeformationAnalysisPanel::compute);
-  viewChanged_ = bench().view.changed.connect([this] {
-    const QSignalBlocker quiet(limit_);
-    limit_->setValue(bench().view.options().distanceLimitMm);
-    (bench().view.options().distanceOnScan ? onScan_ : onPreop_)->setChecked(true);
-  });
-  onPreop_->setChecked(true);
-  start();
-  showNumbers();
-}
-
-void DeformationAnalysisPanel::addColours() {
-  auto* group = addGroup(tr("Colours and threshold"));
-  auto* form = new QFormLayout;
-  onPreop_ = new QRadioButton(tr("Liver"), this);
-  onPreop_->setObjectName("distanceOnPreop");
-  onPreop_->setToolTip(tr("Colours on the pre-operative liver: distance in mm to the scan"));
-  onScan_ = new QRadioButton(tr("Scan"), this);
-  onScan_->setObjectName("distanceOnScan");
-  onScan_->setToolTip(tr("Colours on the scan: distance in mm to the pre-operative liver"));
-  auto* sides = new QHBoxLayout;
-  sides->addWidget(onPreop_);
-  sides->addWidget(onScan_);
-  form->addRow(tr("Show on"), sides);
-  const auto show = [this](bool onScan) {
-    bench().view.edit([&](ViewOptions& options) { options.distanceOnScan = onScan; });
-  };
-  connect(onPreop_, &QRadioButton::clicked, this, [show] { show(false); });
-  connect(onScan_, &QRadioButton::clicked, this, [show] { show(true); });
-  limit_ = new NumberBox(this);
-  limit_->setObjectName("colourLimit");
-  limit_->setRange(0.1, 200);
-  limit_->setPrefix(QString::fromUtf8("± "));
-  limit_->setSuffix(" mm");
-  limit_->setValue(bench().view.options().distanceLimitMm);
-  limit_->setToolTip(
-      tr("Colours run from minus to plus this distance; values beyond are dark grey.\nUnit: mm\nRange: 0.1 "
-         "to 200"));
-  fitRange_ = new QPushButton(tr("Fit"), this);
-  fitRange_->setObjectName("fitRange");
-  fitRange_->setToolTip(tr("The round limit, in mm, that holds every value"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(limit_, 1);
-  row->addWidget(fitRange_);
-  form->addRow(tr("Range"), row);
-  threshold_ = new NumberBox(this);
-  threshold_->setObjectName("threshold");
-  threshold_->setRange(0.1, 200);
-  threshold_->setSuffix(" mm");
-  threshold_->setValue(thresholdMm_);
-  threshold_->setToolTip(
-      tr("The table's last column: share of places whose distance is at most this.\nUnit: mm\nRange: 0.1 to "
-         "200\nDefault: 5"));
-  form->addRow(tr("Threshold"), threshold_);
-  group->addLayout(form);
-  histogram_ = new PlotWidget(this);
-  histogram_->setObjectName("histogram");
-  histogram_->setTitles(tr("Signed distance, mm"), tr("Share of covered places, %"));
-  histogram_->setEmptyText(tr("The histogram appears here with the distance map."));
-  histogram_->setToolTip(tr(
-      "Signed distance in mm against the share of covered places in %; dashed lines stand at the threshold"));
-  group->addWidget(histogram_);
-  connect(limit_, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          &DeformationAnalysisPanel::setLimit);
-  connect(threshold_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double mm) {
-    thresholdMm_ = mm;
-    showNumbers();
-  });
-  connect(fitRange_, &QPushButton::clicked, this, [this] {
-    if (document().distance()) setLimit(fittedLimit(*document().distance()));
-  });
+  sign_ = wrappedLabel("signMeaning", this);
+  group->addWidget(sign_);
 }
 
 void DeformationAnalysisPanel::addExport() {
-  auto* row = new QHBoxLayout;
-  csv_ = new QPushButton(tr("Export CSV…"), this);
-  csv_->setObjectName("exportCsv");
-  csv_->setToolTip(tr("Save the statistics by side and patch, in mm, as a table"));
-  png_ = new QPushButton(tr("Export PNG…"), this);
-  png_->setObjectName("exportPng");
-  png_->setToolTip(tr("Save the 3D view with its colour bar as a picture"));
-  row->addWidget(csv_);
-  row->addWidget(png_);
-  column()->addLayout(row);
-  connect(csv_, &QPushButton::clicked, this, [this] {
-    QSettings settings;
-    const QString folder = settings.value("lastFolder").toString();
-    const QString file = QFileDialog::getSaveFileName(this, tr("Export statistics"), folder + "/distance.csv",
-                                                      tr("CSV (*.csv)"));
-    if (!file.isEmpty()) exportCsv(file);
+  export_ = new MapExportButton(this);
+  column()->addWidget(export_);
+  connect(export_, &MapExportButton::pictureWanted, this, [this] { Q_EMIT pictureWanted("distance.png"); });
+  connect(export_, &MapExportButton::mapWanted, this, &DeformationAnalysisPanel::exportMap);
+  connect(export_, &MapExportButton::tableWanted, this, &DeformationAnalysisPanel::exportTable);
+  connect(export_, &MapExportButton::copyWanted, this, [this] {
+    table_->copy();
+    bench().log.info(tr("Copied the table."));
   });
-  connect(png_, &QPushButton::clicked, this, [this] { Q_EMIT pictureWanted("distance.png"); });
 }
 
 void DeformationAnalysisPanel::enter() {
+  onScreen_ = true;
   bench().view.edit([&](ViewOptions& options) {
     options.arrangement = Arrangement::Together;
     options.afterRegistration = true;
     options.distanceShown = true;
+    options.galleryShown = compared_->sideBySide();
   });
 }
 
+void DeformationAnalysisPanel::leave() {
+  onScreen_ = false;
+  bench().view.edit([](ViewOptions& options) { options.galleryShown = false; });
+}
+
 void DeformationAnalysisPanel::caseChanged(Case::Part part) {
-  if (part != Case::Part::Distance) return;
-  if (document().distance()) setLimit(fittedLimit(*document().distance()));
-  showNumbers();
+  if (part == Case::Part::Distance || part == Case::Part::Name || part == Case::Part::Registration)
+    showCases();
+  if (part == Case::Part::Preop && !document().preop()) {  // the next liver has segments of its own
+    logic_.segments = nullptr;
+    showSegments({});
+  }
 }
 
 void DeformationAnalysisPanel::refresh() {
   showReadiness(compute_, missing_, logic_.missingInput());
-  const bool have = document().distance() != nullptr;
-  csv_->setEnabled(have && !bench().runner.busy());
-  png_->setEnabled(have);
-  fitRange_->setEnabled(have);
-  if (have)
-    facts_->setText(tr("The scan covers %1 % of the liver's surface.")
-                        .arg(100 * document().distance()->coverage, 0, 'f', 1));
+  compared_->refresh();
+  openSegments_->setEnabled(!bench().runner.busy());
+  export_->setEnabled(!shownCases().empty() && !bench().runner.busy());
+}
+
+std::optional<MappedCase> DeformationAnalysisPanel::ownCase() {
+  if (!document().distance()) return std::nullopt;
+  MappedCase own{document().name(), document().distance(), Matrix4d::Identity()};
+  if (document().registration()) own.lpsFromMap = document().registration()->scanFromPreop.inverse().matrix();
+  return own;
+}
+
+std::vector<MappedCase> DeformationAnalysisPanel::shownCases() {
+  std::vector<MappedCase> cases;
+  if (const auto own = ownCase()) cases.push_back(*own);
+  if (compared_->sideBySide())
+    cases.insert(cases.end(), compared_->cases().begin(), compared_->cases().end());
+  return cases;
+}
+
+std::optional<MappedCase> DeformationAnalysisPanel::caseInFront() {
+  const std::vector<MappedCase> cases = shownCases();
+  if (cases.empty()) return std::nullopt;
+  const int large = bench().view.options().enlargedCase;
+  const bool one = compared_->sideBySide() && large >= 0 && large < static_cast<int>(cases.size());
+  return cases[one ? static_cast<std::size_t>(large) : 0];
+}
+
+void DeformationAnalysisPanel::showCases() {
+  const std::vector<MappedCase> cases = shownCases();
+  bench().view.edit([&](ViewOptions& options) {
+    if (options.mappedCases != cases) options.enlargedCase = -1;
+    options.mappedCases = cases;
+    options.galleryShown = onScreen_ && compared_->sideBySide();
+  });
+  colours_->setCases(cases);  // announces the metric, and so the rows
+}
+
+void DeformationAnalysisPanel::showRows() {
+  const MapMetric metric = colours_->metric();
+  const std::vector<MappedCase> cases = shownCases();
+  rowsOf_ = bench().view.options().enlargedCase;
+  const std::optional<MappedCase> front = caseInFront();
+  const bool all = compared_->sideBySide() && rowsOf_ < 0;
+  std::vector<RegionRow> rows;
+  if (front) rows = all ? caseRows(cases, metric) : regionRows(*front->map, metric);
+  table_->show(rows, metric, all ? tr("Case") : metric.onScan ? tr("Scan") : tr("Liver"));
+  sign_->setText(metric.meaning.empty()
+                     ? QString()
+                     : QString::fromStdString(metric.meaning) + tr("; negative: the reverse."));
+  sign_->setVisible(!metric.meaning.empty());
+  if (front && !all)
+    facts_->setText(
+        (compared_->sideBySide() ? QString::fromStdString(front->name) + ": " : QString()) +
+        tr("the scan covers %1 % of the liver's surface.").arg(100 * front->map->coverage, 0, 'f', 1));
   else
-    facts_->setText(document().registrationStale()
+    facts_->setText(front ? QString()
+                    : document().registrationStale()
                         ? tr("The registration is out of date: register again first.")
-                        : QString());
+                        : tr("The table appears here with the distance map."));
   facts_->setVisible(!facts_->text().isEmpty());
 }
 
@@ -216,32 +199,49 @@ void DeformationAnalysisPanel::compute() {
       });
 }
 
-void DeformationAnalysisPanel::setLimit(double limitMm) {
-  bench().view.edit([&](ViewOptions& options) { options.distanceLimitMm = limitMm; });
-  showNumbers();
-}
-
-void DeformationAnalysisPanel::showNumbers() {
-  const auto& map = document().distance();
-  table_->show(map.get(), thresholdMm_);
-  if (!map) {
-    histogram_->clear();
-    return;
-  }
-  const double limit = bench().view.options().distanceLimitMm;
-  histogram_->setBars({barsOf(map->preop, limit, tr("on the liver"), QColor("#0072b2")),
-                       barsOf(map->scan, limit, tr("on the scan"), QColor("#e69f00"))});
-  histogram_->setMarkers({-thresholdMm_, thresholdMm_});
-}
-
-void DeformationAnalysisPanel::exportCsv(const QString& file) {
+void DeformationAnalysisPanel::openSegments(const QString& file) {
   bench().runner.start(
-      tr("Exporting statistics"),
-      [map = document().distance(), path = file.toStdString()](const Progress& progress) {
+      tr("Opening segments"),
+      [path = file.toStdString()](const Progress& progress) {
+        progress.report(0, "reading the label map");
+        return readLabelMap(path);
+      },
+      [this, name = QFileInfo(file).fileName()](Loaded<LabelMap> loaded) {
+        for (const std::string& warning : loaded.warnings) bench().log.warn(QString::fromStdString(warning));
+        logic_.segments = std::make_shared<const LabelMap>(std::move(loaded.value));
+        showSegments(name);
+      });
+}
+
+void DeformationAnalysisPanel::showSegments(const QString& file) {
+  segments_->setText(file.isEmpty() ? tr("No map of segments") : tr("Segments: %1").arg(file));
+}
+
+void DeformationAnalysisPanel::exportTable(const QString& file) {
+  bench().runner.start(
+      tr("Exporting the table"),
+      [cases = shownCases(), path = file.toStdString()](const Progress& progress) {
         progress.report(0, "writing");
-        writeTextFile(path, Overwrite::Replace, toCsv(*map));  // the file dialog has asked already
+        writeTextFile(path, Overwrite::Replace, regionsCsv(cases));  // the file dialog has asked already
       },
       [this, file] { bench().log.info(tr("Saved %1.").arg(QFileInfo(file).fileName())); });
+}
+
+void DeformationAnalysisPanel::exportMap(const QString& file) {
+  const std::optional<MappedCase> front = caseInFront();
+  if (!front) return;
+  bench().runner.start(
+      tr("Exporting the map"),
+      [front, onScan = colours_->metric().onScan, path = file.toStdString()](const Progress& progress) {
+        progress.report(0, "writing");
+        Isometry3d lpsFromMap;
+        lpsFromMap.matrix() = front->lpsFromMap;
+        writeSurface(path, transformed(sideOf(*front->map, onScan), lpsFromMap, "LPS"), Overwrite::Replace);
+      },
+      [this, file, name = front->name] {
+        bench().log.info(
+            tr("Saved the map of %1 in %2.").arg(QString::fromStdString(name), QFileInfo(file).fileName()));
+      });
 }
 
 }  // namespace falciform

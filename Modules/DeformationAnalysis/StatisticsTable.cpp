@@ -1,93 +1,120 @@
 #include "Modules/DeformationAnalysis/StatisticsTable.h"
 
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QHeaderView>
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "Widgets/Forms/TableHeight.h"
 
 namespace falciform {
 namespace {
 
-/// The values of one patch; label -1 takes all.
-VectorXd valuesOf(const Surface& side, int label) {
-  const auto found = side.arrays.find(kSignedDistance);
-  if (found == side.arrays.end()) return {};
-  std::vector<double> values;
-  for (Index i = 0; i < side.size(); ++i)
-    if (label < 0 || side.patchAt(i) == label) values.push_back(found->second[i]);
-  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
-}
+constexpr double kFontShare = 0.84;  // seven columns beside the view
 
-/// Share of the covered values whose size is at most `thresholdMm`; NaN if nothing is covered.
-double shareWithin(const VectorXd& values, double thresholdMm) {
-  int covered = 0, within = 0;
-  for (const double value : values) {
-    if (!std::isfinite(value)) continue;
-    ++covered;
-    if (std::abs(value) <= thresholdMm) ++within;
-  }
-  return covered > 0 ? static_cast<double>(within) / covered : std::numeric_limits<double>::quiet_NaN();
+QString percent(double share) {
+  return std::isfinite(share) ? QString::number(100 * share, 'f', 0) + " %" : QString::fromUtf8("–");
 }
 
 QString figure(double value, int decimals) {
   return std::isfinite(value) ? QString::number(value, 'f', decimals) : QString::fromUtf8("–");
 }
 
+/// So many that the largest RMS has two digits: seven columns must find room beside the view.
+int decimalsFor(const std::vector<RegionRow>& rows) {
+  double largest = 0;
+  for (const RegionRow& row : rows)
+    if (std::isfinite(row.statistics.rms)) largest = std::max(largest, row.statistics.rms);
+  return largest > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(largest))), 0, 6) : 1;
+}
+
 }  // namespace
 
-StatisticsTable::StatisticsTable(QWidget* parent) : QTableWidget(0, 5, parent) {
+StatisticsTable::StatisticsTable(QWidget* parent) : QTableWidget(0, 7, parent) {
   setObjectName("distanceStatistics");
-  setHorizontalHeaderLabels({tr("Side, mm"), tr("Mean"), tr("SD"), tr("95 %"), tr("within")});
+  QFont small = font();
+  small.setPointSizeF(small.pointSizeF() * kFontShare);
+  setFont(small);
+  horizontalHeader()->setFont(small);
   horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  horizontalHeader()->setMinimumSectionSize(24);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   setSelectionMode(QAbstractItemView::NoSelection);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
-  setToolTip(
-      tr("Signed distance in mm over the covered places: mean, standard deviation, median, 95th percentile "
-         "of the size,\n"
-         "and the share of places whose distance is within the threshold"));
+  setStyleSheet("QTableWidget::item { padding: 0 2px; } QHeaderView::section { padding: 1px 2px; }");
+  auto* copyAll = new QAction(tr("Copy table"), this);
+  copyAll->setObjectName("copyStatistics");
+  copyAll->setShortcut(QKeySequence::Copy);
+  copyAll->setShortcutContext(Qt::WidgetShortcut);
+  connect(copyAll, &QAction::triggered, this, [this] { copy(); });
+  addAction(copyAll);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-void StatisticsTable::addRow(const QString& name, const DistanceStatistics& statistics, double share) {
-  const int row = rowCount();
-  insertRow(row);
-  auto* title = new QTableWidgetItem(name);
-  title->setToolTip(tr("%L1 covered places, from %2 to %3 mm, median %5 mm, RMS %4 mm")
-                        .arg(statistics.count)
-                        .arg(figure(statistics.min, 2))
-                        .arg(figure(statistics.max, 2))
-                        .arg(figure(statistics.rms, 2), figure(statistics.median, 2)));
-  setItem(row, 0, title);
-  const QString within =
-      std::isfinite(share) ? QString::number(100 * share, 'f', 0) + " %" : QString::fromUtf8("–");
-  const QStringList values{figure(statistics.mean, 2), figure(statistics.sd, 2),
-                           figure(statistics.p95Absolute, 2), within};
-  for (int column = 1; column < columnCount(); ++column) {
-    auto* item = new QTableWidgetItem(values[column - 1]);
-    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    setItem(row, column, item);
+void StatisticsTable::addRow(const RegionRow& row, int decimals, const QString& unit) {
+  const DistanceStatistics& s = row.statistics;
+  const int at = rowCount();
+  insertRow(at);
+  const QString dash = QString::fromUtf8("–");
+  const QString spread = std::isfinite(s.mean)
+                             ? figure(s.mean, decimals) + QString::fromUtf8(" ± ") + figure(s.sd, decimals)
+                             : dash;
+  const QString range = std::isfinite(s.min)
+                            ? figure(s.min, decimals) + QString::fromUtf8(" … ") + figure(s.max, decimals)
+                            : dash;
+  const QStringList texts{QString::fromStdString(row.name),
+                          percent(row.coverage),
+                          spread,
+                          figure(s.median, decimals),
+                          range,
+                          figure(s.rms, decimals),
+                          figure(s.p95Absolute, decimals)};
+  const auto fine = [&](double value) { return figure(value, decimals + 2); };
+  const QString tip = tr("%1: %L2 covered places, mean %3, SD %4, median %5, from %6 to %7, RMS %8, P95 %9 ")
+                          .arg(texts[0])
+                          .arg(s.count)
+                          .arg(fine(s.mean), fine(s.sd), fine(s.median), fine(s.min), fine(s.max),
+                               fine(s.rms), fine(s.p95Absolute)) +
+                      unit;
+  for (int column = 0; column < columnCount(); ++column) {
+    auto* item = new QTableWidgetItem(texts[column]);
+    if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    item->setToolTip(tip);
+    setItem(at, column, item);
   }
 }
 
-void StatisticsTable::show(const DistanceMap* map, double thresholdMm) {
+void StatisticsTable::show(const std::vector<RegionRow>& rows, const MapMetric& metric, const QString& what) {
   setRowCount(0);
-  setHorizontalHeaderItem(4, new QTableWidgetItem(tr("≤ %1 mm").arg(thresholdMm)));
-  setVisible(map != nullptr);
-  if (!map) return;
-  addRow(tr("Liver, all"), map->preopAll, shareWithin(valuesOf(map->preop, -1), thresholdMm));
-  for (const auto& [label, statistics] : map->preopByPatch)
-    if (label > 0)
-      addRow(tr("Liver, %1").arg(QString::fromStdString(patchName(map->preop, label))), statistics,
-             shareWithin(valuesOf(map->preop, label), thresholdMm));
-  addRow(tr("Scan, all"), map->scanAll, shareWithin(valuesOf(map->scan, -1), thresholdMm));
-  for (const auto& [label, statistics] : map->scanByPatch)
-    if (label > 0)
-      addRow(tr("Scan, %1").arg(QString::fromStdString(patchName(map->scan, label))), statistics,
-             shareWithin(valuesOf(map->scan, label), thresholdMm));
+  setVisible(!rows.empty());
+  setHorizontalHeaderLabels(
+      {what, tr("Cover"), tr("Mean ± SD"), tr("Median"), tr("Range"), tr("RMS"), tr("P95")});
+  const QString unit = QString::fromStdString(metric.unit);
+  setToolTip(tr("%1%2 over the covered places.\nCover: share of the area that has a value. P95: of the size, "
+                "either sign. Ctrl+C copies the table.")
+                 .arg(QString::fromStdString(metric.title), unit.isEmpty() ? QString() : " in " + unit));
+  const int decimals = decimalsFor(rows);
+  for (const RegionRow& row : rows) addRow(row, decimals, unit);
   showAllRows(this);
 }
+
+QString StatisticsTable::tabbedText() const {
+  QStringList lines, cells;
+  for (int column = 0; column < columnCount(); ++column)
+    if (horizontalHeaderItem(column)) cells << horizontalHeaderItem(column)->text();
+  lines << cells.join('\t');
+  for (int row = 0; row < rowCount(); ++row) {
+    cells.clear();
+    for (int column = 0; column < columnCount(); ++column) cells << item(row, column)->text();
+    lines << cells.join('\t');
+  }
+  return lines.join('\n') + '\n';
+}
+
+void StatisticsTable::copy() const { QApplication::clipboard()->setText(tabbedText()); }
 
 }  // namespace falciform

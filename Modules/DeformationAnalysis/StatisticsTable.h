@@ -1,22 +1,25 @@
 #pragma once
 #include <QTableWidget>
 
-#include "Logic/Core/Results.h"
+#include "Modules/DeformationAnalysis/RegionRows.h"
 
 namespace falciform {
 
-/// Distances by side and patch: a row each, mm.
+/// Values by region, or by case: a row each, in the metric's unit. Ctrl+C copies all of it for a spreadsheet.
 class StatisticsTable : public QTableWidget {
   Q_OBJECT
 
  public:
   explicit StatisticsTable(QWidget* parent = nullptr);
 
-  /// nullptr empties it. `thresholdMm` is that of the last column.
-  void show(const DistanceMap* map, double thresholdMm);
+  /// `what` heads the first column; no rows hides the table.
+  void show(const std::vector<RegionRow>& rows, const MapMetric& metric, const QString& what);
+  /// Head and rows, cells parted by tabs.
+  [[nodiscard]] QString tabbedText() const;
+  void copy() const;
 
  private:
-  void addRow(const QString& name, const DistanceStatistics& statistics, double shareWithinThreshold);
+  void addRow(const RegionRow& row, int decimals, const QString& unit);
 };
 
 }  // namespace falciform

@@ -126,7 +126,7 @@ TEST_F(CliniciansPath, FromLabelMapToDistanceMapByMouseAndKeyboard) {
   // 6. A picture of the view.
   const std::filesystem::path picture = folder / "view.png";
   chooseInNextDialog(QString::fromStdString(picture.string()));
-  click("exportPng");
+  trigger("exportPicture");
   waitIdle();
   const QImage image(QString::fromStdString(picture.string()));
   ASSERT_FALSE(image.isNull());

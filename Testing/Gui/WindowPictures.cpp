@@ -1,6 +1,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -12,6 +13,8 @@
 
 #include "Modules/Application/Appearance.h"
 #include "Modules/Application/MainWindow.h"
+#include "Modules/DeformationAnalysis/ComparedCases.h"
+#include "Modules/DeformationAnalysis/DeformationAnalysisPanel.h"
 #include "Modules/ModuleList.h"
 #include "Modules/ModulePanel.h"
 #include "Modules/Workbench.h"
@@ -160,11 +163,43 @@ void supportPictures(MainWindow& window, Workbench& bench, const std::function<v
   save("AtlasUpdate_too_much");
 }
 
+/// A map in its metrics and ranges, and beside other cases.
+void deformationPictures(MainWindow& window, Workbench& bench, const QString& others,
+                         const std::function<void(const QString&)>& save) {
+  const QString name = "DeformationAnalysis";
+  auto* metric = window.currentPanel()->findChild<QComboBox*>("metric");
+  for (int i = 1; i < metric->count(); ++i) {
+    metric->setCurrentIndex(i);
+    scrollTo(window, "metric");
+    save(name + "_metric" + QString::number(i));
+  }
+  metric->setCurrentIndex(0);
+  const auto type = [&](const char* box, double value) {
+    window.currentPanel()->findChild<QDoubleSpinBox*>(box)->setValue(value);
+  };
+  type("threshold", 2);
+  save(name + "_threshold");
+  type("threshold", 0);
+  tick(window, "rangeSymmetric", false);
+  type("rangeLow", -3);
+  save(name + "_limits");
+  tick(window, "rangeSymmetric", true);
+  tick(window, "rangeAutomatic", true);
+  if (others.isEmpty()) return;
+  dynamic_cast<DeformationAnalysisPanel&>(*window.currentPanel()).compared().open(others);
+  waitIdle(bench);
+  scrollTo(window, "distanceStatistics");
+  save(name + "_cases");
+  bench.view.edit([](ViewOptions& options) { options.enlargedCase = 1; });
+  save(name + "_case_large");
+  bench.view.edit([](ViewOptions& options) { options.enlargedCase = -1; });
+}
+
 }  // namespace
 
 /// Walks a case through the modules and saves a picture of the window at each: for eyes, and for the user
 /// guide.
-///   WindowPictures FOLDER [--only MODULE] [CASE or FILE...]
+///   WindowPictures FOLDER [--only MODULE] [--compare CASES] [CASE or FILE...]
 int main(int argc, char** argv) {
   const test::TemporaryFolder settings;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
@@ -174,7 +209,8 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   dressApplication(application);
   if (argc < 2) {
-    std::fprintf(stderr, "usage: WindowPictures FOLDER [--only MODULE] [CASE or FILE...]\n");
+    std::fprintf(stderr,
+                 "usage: WindowPictures FOLDER [--only MODULE] [--compare CASES] [CASE or FILE...]\n");
     return 2;
   }
   const QString folder = argv[1];
@@ -190,9 +226,9 @@ int main(int argc, char** argv) {
   };
   save("0_empty");
   QStringList files = QApplication::arguments().mid(2);
-  QString only;
-  if (files.size() > 1 && files.front() == "--only") {
-    only = files[1];
+  QString only, others;
+  while (files.size() > 1 && files.front().startsWith("--")) {
+    (files.front() == "--only" ? only : others) = files[1];
     files = files.mid(2);
   }
   window.open(files);
@@ -227,10 +263,7 @@ int main(int argc, char** argv) {
       updatePictures(window, bench, save);
       supportPictures(window, bench, save);
     }
-    if (name == "DeformationAnalysis") {
-      press(window, "distanceOnScan");
-      save(name + "_scan");
-    }
+    if (name == "DeformationAnalysis") deformationPictures(window, bench, others, save);
   }
   return 0;
 }

@@ -1,11 +1,18 @@
 #include <gmock/gmock.h>
 
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QGuiApplication>
 #include <QTableWidget>
 
 #include "Logic/IO/OutputFile.h"
+#include "Logic/IO/SurfaceFiles.h"
 #include "Modules/DeformationAnalysis/DeformationAnalysisPanel.h"
 #include "Testing/Modules/PanelFixture.h"
+#include "Testing/Support/MappedSpheres.h"
 #include "Testing/Support/TemporaryFolder.h"
 
 namespace falciform::test {
@@ -16,20 +23,15 @@ constexpr double kGapMm = 2;
 /// Two spheres about one centre, the scan the larger: everywhere 2 mm outside. The pose is given, not
 /// searched.
 struct DeformationAnalysisPanelTest : PanelTest {
-  void openSpheres() {
-    Surface inner = sphere(50, 4), outer = sphere(50 + kGapMm, 4);
-    inner.patch.assign(static_cast<std::size_t>(inner.size()), patch::kNone);
-    for (Index i = 0; i < inner.size(); ++i)
-      if (inner.points(i, 2) > 30) inner.patch[static_cast<std::size_t>(i)] = patch::kFalciform;
-    outer.patch = inner.patch;
-    bench.document.setPreop(std::make_shared<const Surface>(inner));
-    bench.document.setScan(std::make_shared<const Surface>(transformed(outer, scanFromPreop, "scanner")));
+  void openSpheres() { fillSpheres(bench.document, kGapMm, scanFromPreop); }
+  void computed() {
+    openSpheres();
+    click(panel, "compute");
   }
-  void registerTruly() {
-    auto result = std::make_shared<RegistrationResult>();
-    result->scanFromPreop = scanFromPreop;
-    bench.document.setRegistration(result);
-  }
+  [[nodiscard]] const ScalarMap& colours() const { return bench.view.options().distanceColours; }
+  void setBox(const char* name, double value) { child<QDoubleSpinBox>(panel, name).setValue(value); }
+  void setTick(const char* name, bool on) { child<QCheckBox>(panel, name).setChecked(on); }
+  [[nodiscard]] QString cell(int row, int column) const { return table.item(row, column)->text(); }
 
   DeformationAnalysisPanel panel{bench};
   QTableWidget& table = child<QTableWidget>(panel, "distanceStatistics");
@@ -37,83 +39,145 @@ struct DeformationAnalysisPanelTest : PanelTest {
 
 TEST_F(DeformationAnalysisPanelTest, WaitsForARegistrationAndSaysSo) {
   openSpheres();
+  bench.document.setRegistration(nullptr);
   EXPECT_FALSE(isEnabled(panel, "compute"));
   EXPECT_FALSE(words(panel, "missing").empty());
-  registerTruly();
+  openSpheres();
   EXPECT_TRUE(isEnabled(panel, "compute"));
-  EXPECT_FALSE(isEnabled(panel, "exportCsv")) << "nothing computed yet";
+  EXPECT_FALSE(isEnabled(panel, "exportMenu")) << "nothing computed yet";
 }
 
 TEST_F(DeformationAnalysisPanelTest, SaysWhatTheSignMeans) {
-  const std::string sentence = words(panel, "signMeaning");
-  EXPECT_NE(sentence.find("Positive"), std::string::npos);
-  EXPECT_NE(sentence.find("outside"), std::string::npos);
+  EXPECT_THAT(words(panel, "signMeaning"),
+              testing::StartsWith("Positive: the scan lies outside the pre-operative surface"));
 }
 
-TEST_F(DeformationAnalysisPanelTest, ComputingPutsTheMapIntoTheCaseAndTheTableShowsTheGap) {
-  openSpheres();
-  registerTruly();
-  click(panel, "compute");
+TEST_F(DeformationAnalysisPanelTest, ComputingPutsTheMapIntoTheCaseAndTheTableShowsTheGapOfEachRegion) {
+  computed();
   ASSERT_TRUE(bench.document.distance()) << errors.join(" ").toStdString();
   // mm; both spheres are the same icosphere, so flat faces lie at most 50 (1 - cos 2 deg) = 0.03 mm inside
   EXPECT_NEAR(bench.document.distance()->scanAll.mean, kGapMm, 0.05);
-  ASSERT_EQ(table.rowCount(), 4);
-  EXPECT_EQ(table.item(0, 0)->text(), "Liver, all");
-  EXPECT_EQ(table.item(1, 0)->text(), "Liver, falciform");
-  for (int row = 0; row < 4; ++row) {
-    EXPECT_NEAR(table.item(row, 1)->text().toDouble(), kGapMm, 0.05) << row;
-    EXPECT_EQ(table.item(row, 4)->text(), "100 %") << "all within 5 mm";
+  ASSERT_EQ(table.rowCount(), 2);
+  EXPECT_EQ(cell(0, 0), "all");
+  EXPECT_EQ(cell(1, 0), "falciform");
+  for (int row = 0; row < 2; ++row) {
+    EXPECT_EQ(cell(row, 1), "100 %") << "all is covered";
+    for (const int column : {3, 5, 6}) EXPECT_NEAR(cell(row, column).toDouble(), kGapMm, 0.05) << row;
+    EXPECT_NEAR(cell(row, 2).split(QString::fromUtf8(" ± ")).first().toDouble(), kGapMm, 0.05);
   }
-  child<QDoubleSpinBox>(panel, "threshold").setValue(1);
-  EXPECT_EQ(table.item(0, 4)->text(), "0 %");
 }
 
-TEST_F(DeformationAnalysisPanelTest, TheColourRangeFitsTheValuesAndIsTheViews) {
+TEST_F(DeformationAnalysisPanelTest, SegmentsOfTheLiverGetTheirRows) {
   openSpheres();
-  registerTruly();
+  Surface liver = *bench.document.preop();
+  liver.arrays[kCouinaudSegment] =
+      (liver.points.col(0).array() > 0).select(VectorXd::Constant(liver.size(), 4), 8);
+  const auto registration = bench.document.registration();
+  bench.document.setPreop(std::make_shared<const Surface>(liver));
+  bench.document.setRegistration(registration);
   click(panel, "compute");
+  ASSERT_EQ(table.rowCount(), 4);
+  EXPECT_EQ(cell(2, 0), "segment IV");
+  EXPECT_EQ(cell(3, 0), "segment VIII");
+}
+
+TEST_F(DeformationAnalysisPanelTest, TheScaleIsSymmetricAndAutomaticUntilSomebodyTypes) {
+  computed();
   EXPECT_TRUE(bench.view.options().distanceShown);
-  const double fitted = bench.view.options().distanceLimitMm;
-  EXPECT_GE(fitted, kGapMm);
-  EXPECT_LE(fitted, 2 * kGapMm);
-  child<QDoubleSpinBox>(panel, "colourLimit").setValue(7.5);
-  EXPECT_DOUBLE_EQ(bench.view.options().distanceLimitMm, 7.5);
-  click(panel, "fitRange");
-  EXPECT_DOUBLE_EQ(bench.view.options().distanceLimitMm, fitted);
-  click(panel, "distanceOnScan");
-  EXPECT_TRUE(bench.view.options().distanceOnScan);
+  const double fitted = colours().high;
+  EXPECT_EQ(fitted, 2) << "98 % of all places lie a little less than 2 mm outside; a round end";
+  EXPECT_EQ(colours().low, -fitted);
+  setBox("rangeHigh", 7.5);
+  EXPECT_EQ(colours().high, 7.5);
+  EXPECT_EQ(colours().low, -7.5);
+  EXPECT_FALSE(child<QCheckBox>(panel, "rangeAutomatic").isChecked());
+  setTick("rangeSymmetric", false);
+  setBox("rangeLow", -1);
+  EXPECT_EQ(colours().low, -1);
+  EXPECT_EQ(colours().high, 7.5);
+  setBox("rangeLow", 8);
+  EXPECT_EQ(colours().low, -1) << "above the upper end: refused";
+  EXPECT_EQ(child<QDoubleSpinBox>(panel, "rangeLow").value(), -1) << "and the box says so";
+  setTick("rangeSymmetric", true);
+  EXPECT_EQ(colours().low, -7.5);
+  setTick("rangeAutomatic", true);
+  EXPECT_EQ(colours().high, fitted);
 }
 
-TEST_F(DeformationAnalysisPanelTest, RepaintingDropsTheMapAndItsNumbers) {
-  openSpheres();
-  registerTruly();
-  click(panel, "compute");
+TEST_F(DeformationAnalysisPanelTest, AThresholdGreysWhatIsSmaller) {
+  computed();
+  EXPECT_NE(colourOf(colours(), 1.9), kBelowThresholdColour);
+  setBox("threshold", 1.95);
+  EXPECT_EQ(colours().threshold, 1.95);
+  EXPECT_EQ(colourOf(colours(), 1.9), kBelowThresholdColour);
+  EXPECT_EQ(colourOf(colours(), -1.9), kBelowThresholdColour);
+  EXPECT_NE(colourOf(colours(), 2.0), kBelowThresholdColour);
+}
+
+TEST_F(DeformationAnalysisPanelTest, EveryArrayOfTheResultCanBeShownInItsOwnUnitAndRange) {
+  computed();
+  auto& metric = child<QComboBox>(panel, "metric");
+  QStringList names;
+  for (int i = 0; i < metric.count(); ++i) names << metric.itemText(i);
+  ASSERT_TRUE(names.contains("Liver: signed distance, mm")) << names.join("; ").toStdString();
+  ASSERT_TRUE(names.contains("Scan: signed distance, mm"));
+  ASSERT_TRUE(names.contains("Liver: mean-curvature difference, 1/mm"));
+  metric.setCurrentText("Scan: signed distance, mm");
+  EXPECT_TRUE(bench.view.options().distanceOnScan);
+  metric.setCurrentText("Liver: mean-curvature difference, 1/mm");
+  EXPECT_FALSE(bench.view.options().distanceOnScan);
+  EXPECT_EQ(colours().array, kCurvatureDifference);
+  EXPECT_EQ(colours().unit, "1/mm");
+  // 1/52 - 1/50 per mm is -0.00077.
+  EXPECT_LT(colours().high, 0.02);
+  EXPECT_NEAR(cell(0, 3).toDouble(), 1.0 / 52 - 1.0 / 50, 1e-4) << "1/mm; the fit on flat triangles";
+  EXPECT_TRUE(child<QDoubleSpinBox>(panel, "rangeHigh").text().endsWith("1/mm"));
+  EXPECT_THAT(words(panel, "signMeaning"), testing::HasSubstr("more convex"));
+}
+
+TEST_F(DeformationAnalysisPanelTest, ANewScanDropsTheMapAndItsNumbers) {
+  computed();
   ASSERT_GT(table.rowCount(), 0);
   bench.document.setScan(std::make_shared<const Surface>(*bench.document.scan()));
   EXPECT_FALSE(bench.document.distance());
   EXPECT_EQ(table.rowCount(), 0);
-  EXPECT_FALSE(isEnabled(panel, "exportPng"));
+  EXPECT_FALSE(isEnabled(panel, "exportMenu"));
 }
 
-TEST_F(DeformationAnalysisPanelTest, ExportsTheStatisticsAsCsv) {
+TEST_F(DeformationAnalysisPanelTest, ExportsTableAndMap) {
   const TemporaryFolder folder;
-  openSpheres();
-  registerTruly();
-  click(panel, "compute");
-  panel.exportCsv(QString::fromStdString((folder / "distance.csv").string()));
+  computed();
+  panel.exportTable(QString::fromStdString((folder / "distance.csv").string()));
   const std::string text = readTextFile(folder / "distance.csv");
-  EXPECT_EQ(text.rfind("side,patch,count,mean_mm", 0), 0u) << text.substr(0, 80);
-  EXPECT_GE(std::count(text.begin(), text.end(), '\n'), 5) << "a heading and four rows";
+  EXPECT_EQ(text.rfind("case,side,metric,unit,region,coverage,count,mean,", 0), 0u) << text.substr(0, 80);
+  EXPECT_THAT(text, testing::HasSubstr("preop,signed_distance_mm,mm,falciform,1,"));
+  EXPECT_THAT(text, testing::HasSubstr("scan,curvature_difference_per_mm,1/mm,all,"));
+  panel.exportMap(QString::fromStdString((folder / "map.vtp").string()));
+  const Surface map = readSurface(folder / "map.vtp").value;
+  EXPECT_EQ(map.frame, "LPS");
+  // mm; written in single precision. The map lies where the liver was before, not in the scanner's frame.
+  EXPECT_LT((map.points - bench.document.preop()->points).cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_NEAR(map.arrays.at(kSignedDistance).mean(), kGapMm, 0.05);
+}
+
+TEST_F(DeformationAnalysisPanelTest, TheTableIsCopiedAsASpreadsheetTakesIt) {
+  computed();
+  child<QAction>(panel, "copyTable").trigger();
+  const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
+  ASSERT_GE(lines.size(), 3);
+  EXPECT_EQ(lines[0].split('\t').first(), "Liver");
+  EXPECT_EQ(lines[0].split('\t').size(), 7);
+  EXPECT_EQ(lines[1].split('\t').first(), "all");
 }
 
 TEST_F(DeformationAnalysisPanelTest, SettingsReachTheComputation) {
   openSpheres();
-  registerTruly();
-  child<QDoubleSpinBox>(panel, "reachMm").setValue(1);  // less than the gap: nothing is covered
+  setBox("reachMm", 1);  // less than the gap: nothing is covered
   click(panel, "compute");
   ASSERT_TRUE(bench.document.distance());
   EXPECT_EQ(bench.document.distance()->coverage, 0);
-  EXPECT_EQ(table.item(0, 1)->text(), QString::fromUtf8("–")) << "no value is no number";
+  EXPECT_EQ(cell(0, 1), "0 %");
+  EXPECT_EQ(cell(0, 2), QString::fromUtf8("–")) << "no value is no number";
 }
 
 }  // namespace

@@ -94,12 +94,18 @@ void ColourBarPresenter::show(const ScalarMap& map, bool swatches) {
     keep(textAt({1, kBottom, -6.8 * textPx_, down + 0.5 * textPx_}, text, textPx_, textColour_, AlignX::Left,
                 AlignY::Centre));
   };
-  swatch(kNoValueColour, "no value", 1.6);
+  swatch(kNoValueColour, map.noValue.c_str(), 1.6);
   if (map.outOfRange == OutOfRange::Grey) {
     swatch(kOffScaleColour, "off the scale", 2.6);
   } else {
     swatch(colourOf(map, std::nextafter(map.high, HUGE_VAL)), "above", 2.6);
     swatch(colourOf(map, std::nextafter(map.low, -HUGE_VAL)), "below", 3.6);
+  }
+  if (map.threshold > 0) {
+    char text[48];
+    std::snprintf(text, sizeof text, "size < %g%s%s", map.threshold, map.unit.empty() ? "" : " ",
+                  map.unit.c_str());
+    swatch(kBelowThresholdColour, text, map.outOfRange == OutOfRange::Grey ? 3.6 : 4.6);
   }
 }
 

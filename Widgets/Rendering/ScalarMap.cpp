@@ -44,13 +44,17 @@ double roundUp(double value) {
 
 Vector3d colourOf(const ScalarMap& map, double value) {
   if (std::isnan(value)) return kNoValueColour;
+  if (std::abs(value) < map.threshold) return kBelowThresholdColour;
   const std::span<const Vector3d> colours = coloursOf(map.palette);
   if (value < map.low || value > map.high) {
     if (map.outOfRange == OutOfRange::Grey) return kOffScaleColour;
     return (value < map.low ? colours.front() : colours.back()) / 255.0 * 0.45;
   }
-  const double span = map.high > map.low ? map.high - map.low : 1;
-  const double at = (value - map.low) / span * static_cast<double>(colours.size() - 1);
+  const bool diverging = map.palette == Palette::Diverging;
+  const double high = diverging ? std::max(std::abs(map.low), std::abs(map.high)) : map.high;
+  const double low = diverging ? -high : map.low;
+  const double span = high > low ? high - low : 1;
+  const double at = (value - low) / span * static_cast<double>(colours.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(at), colours.size() - 2);
   const double share = at - static_cast<double>(below);
   return ((1 - share) * colours[below] + share * colours[below + 1]) / 255.0;
@@ -65,6 +69,17 @@ ScalarMap symmetricMap(const std::string& array, const std::string& title, const
         if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
   const double end = roundUp(largest);
   return {array, title, unit, -end, end, OutOfRange::Grey};
+}
+
+double symmetricEnd(const VectorXd& values, double share) {
+  std::vector<double> sizes;
+  for (const double value : values)
+    if (std::isfinite(value)) sizes.push_back(std::abs(value));
+  if (sizes.empty()) return 1;
+  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(sizes.size()))) - 1;
+  const auto place = sizes.begin() + std::max<std::ptrdiff_t>(0, rank);
+  std::nth_element(sizes.begin(), place, sizes.end());
+  return roundUp(*place);
 }
 
 ScalarMap magnitudeMap(const std::string& array, const std::string& title, const std::string& unit,

@@ -8,10 +8,7 @@
 
 namespace falciform {
 
-namespace {
-
-/// Key, fill and head light that follow the camera, all white, so that colours keep their meaning.
-void light(vtkRenderer* renderer) {
+void lightLikePaper(vtkRenderer* renderer) {
   vtkNew<vtkLightKit> kit;
   kit->SetKeyLightWarmth(0.5);
   kit->SetFillLightWarmth(0.5);
@@ -27,8 +24,6 @@ void light(vtkRenderer* renderer) {
   kit->AddLightsToRenderer(renderer);
 }
 
-}  // namespace
-
 SceneStyle screenStyle(int textPx) {
   return {{0.80, 0.84, 0.89}, {0.95, 0.96, 0.98}, {0.10, 0.12, 0.15}, textPx};
 }
@@ -42,7 +37,7 @@ Scene::Scene(const SceneStyle& style) : style_(style), renderer_(vtkSmartPointer
   renderer_->SetMaximumNumberOfPeels(6);
   renderer_->SetOcclusionRatio(0.0);
   renderer_->SetUseFXAA(true);
-  light(renderer_);
+  lightLikePaper(renderer_);
   notice_ = std::make_unique<TextPresenter>(renderer_.Get(), TextPlace::BottomLeft, style.textPx, style.text);
   notice_->setText(kResearchUse);
   cube_ = std::make_unique<OrientationCubePresenter>(renderer_.Get());

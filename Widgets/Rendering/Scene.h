@@ -24,6 +24,9 @@ struct SceneStyle {
 /// Light grey-blue, for views on screen; pictures for paper are white.
 [[nodiscard]] SceneStyle screenStyle(int textPx = 14);
 
+/// Key, fill and head light that follow the camera, all white, so that colours keep their meaning.
+void lightLikePaper(vtkRenderer* renderer);
+
 /// What a view shows: renderer, lights, the research notice, the orientation cube and any presenters. Any
 /// render window can show it, one at a time: the desktop view's or one without a display.
 class Scene {

@@ -50,6 +50,7 @@ class SurfacePresenter {
   /// Colours by an array instead of patches; none: back to patches. Points without the array count as no
   /// value.
   void setScalarMap(const std::optional<ScalarMap>& map);
+  [[nodiscard]] const std::optional<ScalarMap>& scalarMap() const { return map_; }
 
   /// Labels of some points as they stand while a stroke runs, before the surface itself is replaced: colours
   /// only.

@@ -111,9 +111,7 @@ CaseScene::Wanted CaseScene::wanted() const {
     result.sceneFromScan = result.sceneFromPreop = case_.registration()->scanFromPreop.inverse();
     result.preop = {map, &map->preop};
     result.scan = {map, &map->scan};
-    const ScalarMap colours{kSignedDistance,          "Signed distance",       "mm",
-                            -options.distanceLimitMm, options.distanceLimitMm, OutOfRange::Grey};
-    (options.distanceOnScan ? result.scanMap : result.preopMap) = colours;
+    (options.distanceOnScan ? result.scanMap : result.preopMap) = options.distanceColours;
   }
   return result;
 }
@@ -235,29 +233,29 @@ void CaseScene::followLandmarks() {
 }
 
 void CaseScene::followTexts(const Wanted& now) {
-  narrow_ = now.update && view_.options().comparedLiver;
+  const ViewOptions& options = view_.options();
+  narrow_ = now.update && options.comparedLiver;
   scene_.orientation().setBottom(narrow_ ? kCubeAboveNotice : 0);
-  corner_.setText(narrow_ ? view_.options().deformedCaption : "");
+  corner_.setText(narrow_ ? options.deformedCaption : "");
   std::vector<LegendEntry> entries;
   if (now.distance) {
     bar_.show(now.preopMap ? *now.preopMap : *now.scanMap);
-    title_.setText("Positive: the intra-operative surface lies outside the pre-operative one");
+    title_.setText(metricOf(options.distanceColours.array, options.distanceOnScan).meaning);
   } else if (now.bar()) {
-    if (view_.options().colourBarShown)
-      bar_.show(*now.preopMap, !narrow_ && !view_.options().slicesShown);  // else it meets the cube
+    if (options.colourBarShown)
+      bar_.show(*now.preopMap, !narrow_ && !options.slicesShown);  // else it meets the cube
     else
       bar_.clear();
-    title_.setText(view_.options().deformedCaption);
+    title_.setText(options.deformedCaption);
   } else {
     bar_.clear();
-    const bool outdated =
-        case_.registrationStale() && now.preop && now.scan && view_.options().afterRegistration;
+    const bool outdated = case_.registrationStale() && now.preop && now.scan && options.afterRegistration;
     title_.setText(!now.preop && !now.scan && structures_.empty()
                        ? "Open or drop a label map, surface, scan or case"
-                   : now.deformed                      ? view_.options().deformedCaption
-                   : view_.options().livePreopFromScan ? view_.options().liveCaption
-                   : outdated                          ? "Registration is out of date"
-                                                       : "");
+                   : now.deformed              ? options.deformedCaption
+                   : options.livePreopFromScan ? options.liveCaption
+                   : outdated                  ? "Registration is out of date"
+                                               : "");
     const bool both = now.preop && now.scan;
     for (const auto& surface : {now.preop, now.scan}) {
       if (!surface) continue;
@@ -286,7 +284,11 @@ std::vector<ShownSurface> CaseScene::shown() const {
   std::vector<ShownSurface> visible;
   const auto add = [&](const std::string& part, const std::string& title, const SurfacePresenter& presenter) {
     if (presenter.surface() && presenter.style().visible && presenter.style().opacity > 0)
-      visible.push_back({part, title, presenter.surface(), presenter.sceneFromSurface()});
+      visible.push_back(
+          {part, title, presenter.surface(), presenter.sceneFromSurface(), presenter.scalarMap(), {}});
+    // A distance map's surfaces are in the scan's frame, and the scene is the patient's.
+    if (presenter.scalarMap() && fittedDistance_)
+      visible.back().lpsFromSurface = presenter.sceneFromSurface();
   };
   add(part::kPreop, "Pre-op liver", preop_);
   add(part::kScan, "Scan", scan_);

@@ -22,6 +22,8 @@ struct ShownSurface {
   std::string title;  ///< as on screen
   std::shared_ptr<const Surface> surface;
   Isometry3d sceneFromSurface = Isometry3d::Identity();
+  std::optional<ScalarMap> map = {};              ///< its colours, where these mean values
+  std::optional<Isometry3d> lpsFromSurface = {};  ///< where places are told as the patient's
 };
 
 /// The case as a Scene: follows Case and ViewState when told to. The scene's frame is patient LPS, except

@@ -6,12 +6,10 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QSurfaceFormat>
 #include <QTimer>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "Widgets/Rendering/CameraViews.h"
@@ -21,6 +19,7 @@
 #include "Widgets/Rendering/RenderedImage.h"
 #include "Widgets/Views/CaseScene.h"
 #include "Widgets/Views/DataProbe.h"
+#include "Widgets/Views/StandardViewBar.h"
 
 namespace falciform {
 namespace {
@@ -89,7 +88,7 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
   parts_->probeText->setObjectName("probe");
   parts_->probeText->setContentsMargins(6, 2, 6, 2);
   parts_->probeText->setToolTip(
-      tr("What lies under the mouse: part, vertex, position in mm, patch, signed distance in mm"));
+      tr("What lies under the mouse: part, value with its unit, patch, place in mm, vertex"));
   parts_->probeText->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   column->addWidget(parts_->probeText);
 
@@ -126,37 +125,12 @@ CaseView3D::~CaseView3D() {
 }
 
 void CaseView3D::addToolBar() {
-  parts_->toolBar = new QWidget(this);
-  auto* bar = new QHBoxLayout(parts_->toolBar);
-  bar->setContentsMargins(4, 2, 4, 2);
-  bar->setSpacing(2);
-  const auto add = [&](const QString& name, const QString& label, const QString& tip,
-                       std::function<void()> action) {
-    auto* button = new QToolButton(parts_->toolBar);
-    button->setObjectName(name);
-    button->setText(label);
-    button->setToolTip(tip);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::NoFocus);
-    connect(button, &QToolButton::clicked, this, std::move(action));
-    bar->addWidget(button);
-  };
-  const auto standard = [this](StandardView view) {
-    return [this, view] {
-      setStandardView(parts_->scene.scene().renderer(), view, parts_->scene.sceneFromLps());
-      fit();
-    };
-  };
-  add("viewAnterior", tr("Anterior"), tr("From the patient's front (Shift+A)"),
-      standard(StandardView::Anterior));
-  add("viewPosterior", tr("Posterior"), tr("From the patient's back (Shift+P)"),
-      standard(StandardView::Posterior));
-  add("viewRight", tr("Right"), tr("From the patient's right (Shift+R)"), standard(StandardView::Right));
-  add("viewLeft", tr("Left"), tr("From the patient's left (Shift+L)"), standard(StandardView::Left));
-  add("viewSuperior", tr("Superior"), tr("From the head (Shift+S)"), standard(StandardView::Superior));
-  add("viewInferior", tr("Inferior"), tr("From the feet (Shift+I)"), standard(StandardView::Inferior));
-  add("viewReset", tr("Fit"), tr("Show everything, direction kept (R)"), [this] { fit(); });
-  bar->addStretch(1);
+  parts_->toolBar = new StandardViewBar(
+      [this](std::optional<StandardView> view) {
+        if (view) setStandardView(parts_->scene.scene().renderer(), *view, parts_->scene.sceneFromLps());
+        fit();
+      },
+      this);
   layout()->addWidget(parts_->toolBar);
 }
 
@@ -294,7 +268,8 @@ bool CaseView3D::eventFilter(QObject* watched, QEvent* event) {
 void CaseView3D::probe() {
   const double ratio = parts_->canvas->devicePixelRatioF();
   const double x = parts_->mouse.x() * ratio, y = (parts_->canvas->height() - 1 - parts_->mouse.y()) * ratio;
-  parts_->probeText->setText(QString::fromStdString(parts_->probe.at(parts_->scene, x, y)));
+  parts_->probeText->setText(QString::fromStdString(
+      parts_->probe.at(parts_->scene.scene().renderer(), parts_->scene.shown(), x, y)));
 }
 
 }  // namespace falciform

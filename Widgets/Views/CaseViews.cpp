@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "Widgets/Views/CaseSlices.h"
+#include "Widgets/Views/MapGalleryView.h"
 
 namespace falciform {
 namespace {
@@ -55,6 +56,11 @@ void CaseViews::follow() {
       compared_->shareCamera(*main_);
     }
   }
+  const bool gallery = options.galleryShown && !options.mappedCases.empty();
+  if (gallery && !gallery_) layout()->addWidget(gallery_ = new MapGalleryView(view_, this));
+  if (gallery_) gallery_->setVisible(gallery);
+  main_->toolBar()->setVisible(!gallery);
+  rows_->setVisible(!gallery);
   const bool wasCompared = compared_ && compared_->isVisibleTo(this);
   const bool wereSlices = slices_ && slices_->isVisibleTo(this);
   if (compared_) compared_->setVisible(compare);
@@ -70,6 +76,10 @@ void CaseViews::follow() {
       if (compared_ && compared_->isVisible()) compared_->fit();
       main_->fit();
     });
+}
+
+std::function<void(const std::filesystem::path&)> CaseViews::picture() {
+  return gallery_ && gallery_->isVisible() ? gallery_->picture() : main_->picture();
 }
 
 }  // namespace falciform

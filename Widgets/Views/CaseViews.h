@@ -8,9 +8,11 @@ class QSplitter;
 namespace falciform {
 
 class CaseSlices;
+class MapGalleryView;
 
 /// The middle of the window: the 3D view; where the ViewState asks for it a second one beside it that looks
-/// from the same place, and cuts through the CT below. The extra views are made when they are first wanted.
+/// from the same place, and cuts through the CT below; or several cases' maps in its place. The extra views
+/// are made when they are first wanted.
 class CaseViews : public QWidget {
   Q_OBJECT
 
@@ -20,8 +22,11 @@ class CaseViews : public QWidget {
   ~CaseViews() override;
 
   [[nodiscard]] CaseView3D* main() const { return main_; }
-  [[nodiscard]] CaseView3D* compared() const { return compared_; }  ///< nullptr until it is first wanted
-  [[nodiscard]] CaseSlices* slices() const { return slices_; }      ///< the same
+  [[nodiscard]] CaseView3D* compared() const { return compared_; }    ///< nullptr until it is first wanted
+  [[nodiscard]] CaseSlices* slices() const { return slices_; }        ///< the same
+  [[nodiscard]] MapGalleryView* gallery() const { return gallery_; }  ///< the same
+  /// Of what is shown now, as CaseView3D::picture().
+  [[nodiscard]] std::function<void(const std::filesystem::path&)> picture();
 
  private:
   void follow();
@@ -33,6 +38,7 @@ class CaseViews : public QWidget {
   QSplitter *rows_, *columns_;
   CaseView3D *main_, *compared_ = nullptr;
   CaseSlices* slices_ = nullptr;
+  MapGalleryView* gallery_ = nullptr;
   Connection viewChanged_;
 };
 

@@ -1,31 +1,48 @@
 #include "Widgets/Views/DataProbe.h"
 
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "Logic/Core/Results.h"
+#include "Logic/Deformation/RegionStatistics.h"
 #include "Widgets/Rendering/SurfaceGeometry.h"
 
 namespace falciform {
 namespace {
 
+/// "signed distance +2.31 mm", "signed distance: not covered"
+std::string valueWords(const Surface& surface, int vertex, const ScalarMap& map) {
+  const auto found = surface.arrays.find(map.array);
+  const bool known = found != surface.arrays.end() && std::isfinite(found->second[vertex]);
+  std::string words = map.title;
+  if (!words.empty()) words[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(words[0])));
+  if (!known) return words + ": " + map.noValue;
+  const double value = found->second[vertex];
+  char text[64];
+  // Hundredths of a mm, and as many digits of what is far below 1.
+  const bool small = std::max(std::abs(map.low), std::abs(map.high)) < 1;
+  std::snprintf(
+      text, sizeof text,
+      map.palette == Palette::Diverging ? (small ? " %+.3g" : " %+.2f") : (small ? " %.3g" : " %.2f"), value);
+  return words + text + (map.unit.empty() ? "" : " " + map.unit);
+}
+
 std::string describe(const ShownSurface& shown, const SurfaceHit& hit) {
   const Surface& surface = *shown.surface;
-  char text[160];
-  std::snprintf(text, sizeof text, " · vertex %d · (%.1f, %.1f, %.1f) mm %s", hit.vertex, hit.point.x(),
-                hit.point.y(), hit.point.z(), surface.frame.c_str());
-  std::string line = shown.title + text;
+  std::string line = shown.title;
+  if (shown.map) line += " · " + valueWords(surface, hit.vertex, *shown.map);
   if (const int label = surface.patchAt(hit.vertex); label != patch::kNone)
     line += " · " + patchName(surface, label);
-  if (const auto found = surface.arrays.find(kSignedDistance); found != surface.arrays.end()) {
-    const double value = found->second[hit.vertex];
-    if (std::isfinite(value))
-      std::snprintf(text, sizeof text, " · distance %+.2f mm", value);
-    else
-      std::snprintf(text, sizeof text, " · no distance here");
-    line += text;
-  }
-  return line;
+  if (const auto segments = surface.arrays.find(kCouinaudSegment); segments != surface.arrays.end())
+    if (const double segment = segments->second[hit.vertex]; segment > 0)
+      line += " · " + segmentName(static_cast<int>(segment));
+  const Vector3d place = shown.lpsFromSurface ? *shown.lpsFromSurface * hit.point : hit.point;
+  char text[160];
+  std::snprintf(text, sizeof text, " · (%.1f, %.1f, %.1f) mm %s · vertex %d", place.x(), place.y(), place.z(),
+                shown.lpsFromSurface ? "LPS" : surface.frame.c_str(), hit.vertex);
+  return line + text;
 }
 
 }  // namespace
@@ -37,19 +54,19 @@ const SurfacePicker& DataProbe::pickerFor(const ShownSurface& shown) {
   return *picker;
 }
 
-std::string DataProbe::at(CaseScene& scene, double x, double y) {
-  const PickRay sceneRay = pickRay(scene.scene().renderer(), x, y);
+std::string DataProbe::at(vtkRenderer* renderer, const std::vector<ShownSurface>& shown, double x, double y) {
+  const PickRay sceneRay = pickRay(renderer, x, y);
   double nearest = std::numeric_limits<double>::infinity();
   std::string words;
-  for (const ShownSurface& shown : scene.shown()) {
-    const Isometry3d surfaceFromScene = shown.sceneFromSurface.inverse();
+  for (const ShownSurface& one : shown) {
+    const Isometry3d surfaceFromScene = one.sceneFromSurface.inverse();
     const PickRay ray{surfaceFromScene * sceneRay.origin, surfaceFromScene.linear() * sceneRay.direction};
-    const auto hit = pickerFor(shown).pick(ray);
+    const auto hit = pickerFor(one).pick(ray);
     if (!hit) continue;
     const double depth = (hit->point - ray.origin).dot(ray.direction);
     if (depth >= nearest) continue;
     nearest = depth;
-    words = describe(shown, *hit);
+    words = describe(one, *hit);
   }
   return words;
 }

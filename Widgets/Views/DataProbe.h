@@ -9,12 +9,12 @@
 
 namespace falciform {
 
-/// Says in words what lies under the mouse: part, vertex, patch, position, signed distance. Keeps a search
-/// tree a shape.
+/// Says in words what lies under the mouse: part, value, patch, place. Keeps a search tree a shape.
 class DataProbe {
  public:
-  /// At pixel (x, y), origin bottom left; empty where there is nothing.
-  [[nodiscard]] std::string at(CaseScene& scene, double x, double y);
+  /// At pixel (x, y) of the renderer's window, origin bottom left; empty where there is nothing.
+  [[nodiscard]] std::string at(vtkRenderer* renderer, const std::vector<ShownSurface>& shown, double x,
+                               double y);
 
  private:
   const SurfacePicker& pickerFor(const ShownSurface& shown);

@@ -8,6 +8,7 @@
 #include "Logic/Core/Signal.h"
 #include "Logic/Core/Surface.h"
 #include "Logic/Core/Types.h"
+#include "Widgets/Rendering/MappedCase.h"
 #include "Widgets/Rendering/ScalarMap.h"
 
 namespace falciform {
@@ -44,11 +45,16 @@ struct ViewOptions {
   std::string liveCaption;                    ///< what that pose is
   bool moving = false;                        ///< handles in the 3D view change that pose
   double moveStepMm = 5, moveStepDeg = 5;     ///< of a key while moving
-  bool distanceShown = false;                 ///< signed distance as colour, where there is a map
-  bool distanceOnScan = false;                ///< colours on the scan instead of the liver
-  double distanceLimitMm = 10;                ///< colours run from minus this to plus this
-  bool painting = false;                      ///< left drag paints
-  bool supportsShown = false;                 ///< painted supports on the liver in place of its patches
+  bool distanceShown = false;                 ///< the distance map's colours, where there is one
+  bool distanceOnScan = false;                ///< on the scan instead of the liver
+  ScalarMap distanceColours{
+      kSignedDistance,  "Signed distance",  "mm", -10,          10,
+      OutOfRange::Grey, Palette::Diverging, 0,    "not covered"};  ///< which of its arrays, and how
+  std::vector<MappedCase> mappedCases;  ///< several cases in those colours beside each other, in place of the
+  bool galleryShown = false;            ///< one, if this says so
+  int enlargedCase = -1;                ///< only this one of them; -1: all
+  bool painting = false;                ///< left drag paints
+  bool supportsShown = false;           ///< painted supports on the liver in place of its patches
   /// The pre-operative surface as supports move it, with "displacement_mm", or as a model update does; not
   /// stored. Painting shows the liver at rest.
   std::shared_ptr<const Surface> liveDeformed;
