@@ -19,8 +19,8 @@ constexpr std::size_t kMostNamed = 3;  ///< places named one by one
 std::string placesText(const std::vector<LeftOut>& parts) {
   std::string text;
   for (std::size_t i = 0; i < std::min(parts.size(), kMostNamed); ++i)
-    text += (i > 0 ? "; " : "") + fixedText(parts[i].volumeMl, 0) + " ml at " + placeText(parts[i].place) +
-            " behind " + fixedText(parts[i].neckMm, 1) + " mm";
+    text += (i > 0 ? "; " : "") + roundedText(parts[i].volumeMl, 0) + " ml at " + lpsText(parts[i].place) +
+            " behind " + roundedText(parts[i].neckMm, 1) + " mm";
   if (parts.size() > kMostNamed) text += "; and " + std::to_string(parts.size() - kMostNamed) + " more";
   return text;
 }
@@ -110,12 +110,12 @@ void warnOfLeaks(LevelSetResult& result, const LevelSetSettings& settings,
                        "): it is cut off there, or the front has left it");
   }
   if (settings.leastVolumeMl > 0 && result.volumeMl < settings.leastVolumeMl)
-    warnings.push_back("only " + fixedText(result.volumeMl, 0) + " ml, less than the " +
-                       fixedText(settings.leastVolumeMl, 0) +
+    warnings.push_back("only " + roundedText(result.volumeMl, 0) + " ml, less than the " +
+                       roundedText(settings.leastVolumeMl, 0) +
                        " ml expected: the front may have stopped short; add seeds where it should go on");
   if (settings.mostVolumeMl > 0 && result.volumeMl > settings.mostVolumeMl)
-    warnings.push_back(fixedText(result.volumeMl, 0) + " ml, more than the " +
-                       fixedText(settings.mostVolumeMl, 0) +
+    warnings.push_back(roundedText(result.volumeMl, 0) + " ml, more than the " +
+                       roundedText(settings.mostVolumeMl, 0) +
                        " ml expected: the front has probably leaked; look where, and forbid it");
   if (!behindNecks.empty())
     warnings.push_back(
@@ -126,7 +126,7 @@ void warnOfLeaks(LevelSetResult& result, const LevelSetSettings& settings,
     warnings.push_back("the front stopped at narrow necks with tissue of the same brightness behind them: " +
                        placesText(result.leftOut) + "; add a seed there if that is the organ");
   if (result.weakBorderShare > kWeakShare)
-    warnings.push_back(fixedText(100 * result.weakBorderShare, 0) +
+    warnings.push_back(roundedText(100 * result.weakBorderShare, 0) +
                        " % of the border shows no edge in the image: check it against its neighbours");
 }
 

@@ -31,8 +31,8 @@ void checkLevelSetInput(const LevelSetInput& input) {
                      std::to_string(kLeastVoxels) + " along each axis are needed");
   if (!ct.worldFromIndex.allFinite() || !(ct.spacing().minCoeff() > 1e-3) ||
       !(ct.spacing().maxCoeff() < 1e3) || !(ct.voxelVolume() > 0.5 * ct.spacing().prod()))
-    throw InputError("the volume's voxels measure " + fixedText(ct.spacing().x(), 3) + " x " +
-                     fixedText(ct.spacing().y(), 3) + " x " + fixedText(ct.spacing().z(), 3) +
+    throw InputError("the volume's voxels measure " + roundedText(ct.spacing().x(), 3) + " x " +
+                     roundedText(ct.spacing().y(), 3) + " x " + roundedText(ct.spacing().z(), 3) +
                      " mm or are skewed; mend the file's header");
   if (input.seeds.rows() == 0 && input.start == nullptr)
     throw InputError("no seeds were given; click at least once inside the organ");
@@ -48,7 +48,7 @@ void checkLevelSetInput(const LevelSetInput& input) {
     const Vector3d index = (indexFromWorld * mm.homogeneous()).head<3>();
     if (!mm.allFinite() || (index.array() < -0.5).any() ||
         (index.array() > ct.size.cast<double>().array() - 0.5).any())
-      throw InputError("seed " + std::to_string(s + 1) + " at " + placeText(mm) +
+      throw InputError("seed " + std::to_string(s + 1) + " at " + lpsText(mm) +
                        " lies outside the volume; give it in patient LPS mm");
   }
 }

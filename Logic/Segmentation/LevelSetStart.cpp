@@ -97,7 +97,7 @@ LevelSetStart growStart(const PyramidLevel& level, const std::vector<Vector3d>& 
   for (std::size_t g = 0; g < groups.size(); ++g) {
     SeedGroup& group = groups[g];
     if (group.tissue.level < kAirHu)
-      throw InputError(seedList(group.numbers) + ": the place has " + fixedText(group.tissue.level, 0) +
+      throw InputError(seedList(group.numbers) + ": the place has " + roundedText(group.tissue.level, 0) +
                        " HU, which is air; click inside the organ");
     Volume<std::uint8_t> region = g == 0 ? start.region : sameGrid<std::uint8_t>(level.image, 0);
     if (!group.seeds.empty()) {
@@ -114,8 +114,8 @@ LevelSetStart growStart(const PyramidLevel& level, const std::vector<Vector3d>& 
       for (std::size_t i = 0; i < region.voxels.size(); ++i) region.voxels[i] |= growth.region.voxels[i];
     }
     if (g > 0)
-      start.warnings.push_back(seedList(group.numbers) + ": tissue of " + fixedText(group.tissue.level, 0) +
-                               " HU, unlike the organ's " + fixedText(groups[0].tissue.level, 0) +
+      start.warnings.push_back(seedList(group.numbers) + ": tissue of " + roundedText(group.tissue.level, 0) +
+                               " HU, unlike the organ's " + roundedText(groups[0].tissue.level, 0) +
                                " HU; it grows with its own brightness (a tumour) - check its border");
     for (std::size_t i = 0; i < region.voxels.size(); ++i) start.region.voxels[i] |= region.voxels[i];
     start.tissues.push_back({group, std::move(region)});

@@ -105,13 +105,14 @@ void addGlobalArguments(Syntax& syntax) {
        .label = "Report",
        .help = "Also write the JSON sidecar to this file.",
        .output = true});
-  add({.name = "seed",
-       .kind = Integer,
-       .label = "Seed",
-       .help = "Of every random draw; the same seed gives the same result.",
-       .fallback = "1",
-       .min = 0,
-       .max = 2147483647});
+  if (syntax.find("seed") == nullptr)  // a command without random draws may mean another kind of seed
+    add({.name = "seed",
+         .kind = Integer,
+         .label = "Seed",
+         .help = "Of every random draw; the same seed gives the same result.",
+         .fallback = "1",
+         .min = 0,
+         .max = 2147483647});
   add({.name = "threads",
        .kind = Integer,
        .label = "Threads",

@@ -15,6 +15,7 @@ struct Command {
   void (*run)(const ParsedArguments& arguments, CommandRun& run) = nullptr;
 };
 
+[[nodiscard]] Command segmentCommand();
 [[nodiscard]] Command importCommand();
 [[nodiscard]] Command patchesCommand();
 [[nodiscard]] Command registerCommand();

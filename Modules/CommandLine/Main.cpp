@@ -54,7 +54,8 @@ void execute(const Command& command, const Syntax& syntax, const ParsedArguments
   run.outputs.overwrite = arguments.has("force") ? Overwrite::Replace : Overwrite::Refuse;
   run.provenance.command = call;
   run.provenance.startedUtc = utcNow();
-  run.provenance.seed = static_cast<std::uint64_t>(arguments.integer("seed"));
+  if (syntax.find("seed")->kind == ArgumentKind::Integer)
+    run.provenance.seed = static_cast<std::uint64_t>(arguments.integer("seed"));
   run.provenance.threads = threads();
   const bool report = arguments.has("report");
   if (report) run.outputs.announce(arguments.path("report"));

@@ -16,6 +16,7 @@
 #include "Logic/Deformation/Normalisation/LiverRegistration.h"
 #include "Logic/Registration/RegistrationSettings.h"
 #include "Logic/Registration/Trials/Trials.h"
+#include "Logic/Segmentation/LevelSetSettings.h"
 #include "Logic/Segmentation/SurfaceImport.h"
 #include "Testing/CommandLine/Program.h"
 
@@ -25,9 +26,9 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands{"import", "patches",     "register",   "distance",   "normalise",
-                                         "cohort", "run",         "demo",       "synthesise", "trials",
-                                         "mesh",   "atlas build", "atlas info", "info"};
+const std::vector<std::string> kCommands{"segment",   "import", "patches",     "register",   "distance",
+                                         "normalise", "cohort", "run",         "demo",       "synthesise",
+                                         "trials",    "mesh",   "atlas build", "atlas info", "info"};
 
 /// A call of a command of one word or two.
 std::vector<std::string> call(const std::string& command, const std::string& flag) {
@@ -88,6 +89,7 @@ void expectSettingsInHelp(const std::string& command, const std::string& prefix 
 }
 
 TEST(Help, EverySettingOfEveryCommandIsListed) {
+  expectSettingsInHelp<LevelSetSettings>("segment");
   expectSettingsInHelp<SurfaceImportSettings>("import");
   expectSettingsInHelp<RegistrationSettings>("register");
   expectSettingsInHelp<DistanceSettings>("distance");

@@ -21,8 +21,8 @@ TEST(Usage, VersionAndHelpSucceedOnStandardOutput) {
 
 TEST(Usage, OverviewNamesEveryCommand) {
   const Ran ran = falciform({"--help"});
-  for (const char* name : {"import", "patches", "register", "distance", "normalise", "cohort", "run", "demo",
-                           "synthesise", "trials", "mesh", "info"})
+  for (const char* name : {"segment", "import", "patches", "register", "distance", "normalise", "cohort",
+                           "run", "demo", "synthesise", "trials", "mesh", "info"})
     EXPECT_THAT(ran.out, HasSubstr(std::string("\n  ") + name + " "));
 }
 

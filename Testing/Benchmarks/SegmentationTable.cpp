@@ -1,0 +1,189 @@
+// ./run bench segmentation [DRAWS]: the level set on the two real CTs with a liver's mask
+// (Docs/Segmentation.md): Dice, surface distances, time, and the spread when every click is moved 5 mm in a
+// random direction.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+
+#include "Logic/Core/Parallel.h"
+#include "Logic/IO/VolumeFiles.h"
+#include "Logic/Segmentation/GridFilters.h"
+#include "Logic/Segmentation/LevelSet.h"
+#include "Logic/Segmentation/RegionPieces.h"
+#include "Testing/Benchmarks/Stopwatch.h"
+#include "Testing/Support/RealData.h"
+
+namespace falciform::bench {
+namespace {
+
+constexpr int kThreads = 2, kMarginVoxels = 3;
+constexpr double kMovedMm = 5;
+
+struct Clicks {
+  const char* what;
+  std::vector<Vector3d> places;  // LPS mm
+};
+
+struct Liver {
+  const char *name, *ct, *mask;
+  int label;  // of the mask; 0: any above 0
+  std::vector<Clicks> clicks;
+};
+
+/// Chosen on the axial slices as one would click: in the middle of what one sees, away from vessels.
+const std::vector<Liver>& livers() {
+  static const std::vector<Liver> all{
+      {"3D-IRCADb 17, portal phase, 0.74 x 0.74 x 1.6 mm",
+       "ircad17/ct",
+       "ircad17/masks/liver",
+       0,
+       {{"3: right lobe, left lobe, dome", {{97, 154, 77}, {190, 74, 115}, {147, 94, 154}}},
+        {"3: right lobe, left lobe, the larger tumour", {{97, 154, 77}, {190, 74, 115}, {204, 126, 144}}},
+        {"5: both lobes, dome, two tumours",
+         {{97, 154, 77}, {190, 74, 115}, {147, 94, 154}, {204, 126, 144}, {92, 135, 150}}}}},
+      {"TotalSegmentator example, no contrast, 3 mm",
+       "volumes/example_ct.nii.gz",
+       "volumes/example_seg_fast_force_split.nii.gz",
+       5,
+       {{"3: right lobe, left lobe, lower right lobe",
+         {{-65, -164, 409}, {28, -236, 409}, {-107, -164, 349}}}}}};
+  return all;
+}
+
+Points pointsOf(const std::vector<Vector3d>& places) {
+  Points points(static_cast<Index>(places.size()), 3);
+  for (std::size_t p = 0; p < places.size(); ++p) points.row(static_cast<Index>(p)) = places[p].transpose();
+  return points;
+}
+
+/// Both masks in the box of their union.
+struct Pair {
+  Mask a, b;
+};
+
+Pair cropped(const LabelMap& a, const LabelMap& b, int label) {
+  const auto inB = [&](std::size_t i) { return label == 0 ? b.voxels[i] > 0 : b.voxels[i] == label; };
+  Vector3i low = a.size, high = Vector3i::Zero();
+  for (int k = 0; k < a.size.z(); ++k)
+    for (int j = 0; j < a.size.y(); ++j)
+      for (int i = 0; i < a.size.x(); ++i)
+        if (const std::size_t at = a.offset(i, j, k); a.voxels[at] > 0 || inB(at)) {
+          low = low.cwiseMin(Vector3i(i, j, k));
+          high = high.cwiseMax(Vector3i(i, j, k));
+        }
+  low = (low.array() - kMarginVoxels).max(0);
+  high = (high.array() + kMarginVoxels).min(a.size.array() - 1);
+  Pair pair;
+  pair.a.size = high - low + Vector3i::Ones();
+  pair.a.worldFromIndex = a.worldFromIndex;
+  pair.b = pair.a;
+  for (int k = low.z(); k <= high.z(); ++k)
+    for (int j = low.y(); j <= high.y(); ++j)
+      for (int i = low.x(); i <= high.x(); ++i) {
+        const std::size_t at = a.offset(i, j, k);
+        pair.a.voxels.push_back(a.voxels[at] > 0);
+        pair.b.voxels.push_back(inB(at));
+      }
+  return pair;
+}
+
+double diceOf(const Pair& pair) {
+  std::size_t both = 0, sum = 0;
+  for (std::size_t i = 0; i < pair.a.voxels.size(); ++i) {
+    both += pair.a.voxels[i] & pair.b.voxels[i];
+    sum += static_cast<std::size_t>(pair.a.voxels[i]) + pair.b.voxels[i];
+  }
+  return 2 * static_cast<double>(both) / static_cast<double>(sum);
+}
+
+/// Organ voxels with a neighbour outside.
+Mask borderOf(const Mask& mask) {
+  Mask border = sameGrid<std::uint8_t>(mask, 0);
+  for (std::size_t i = 0; i < mask.voxels.size(); ++i)
+    if (mask.voxels[i] != 0)
+      eachFaceNeighbour(mask.size, i, [&](std::size_t n) { border.voxels[i] |= mask.voxels[n] == 0; });
+  return border;
+}
+
+/// Distances from each border to the other's, both ways.
+std::vector<float> surfaceDistances(const Pair& pair) {
+  const Mask a = borderOf(pair.a), b = borderOf(pair.b);
+  const Image toA = distanceTo(a), toB = distanceTo(b);
+  std::vector<float> distances;
+  for (std::size_t i = 0; i < a.voxels.size(); ++i) {
+    if (a.voxels[i] != 0) distances.push_back(toB.voxels[i]);
+    if (b.voxels[i] != 0) distances.push_back(toA.voxels[i]);
+  }
+  std::sort(distances.begin(), distances.end());
+  return distances;
+}
+
+double mean(const std::vector<float>& values) {
+  double sum = 0;
+  for (const float value : values) sum += static_cast<double>(value);
+  return sum / static_cast<double>(values.size());
+}
+
+std::vector<Vector3d> moved(std::vector<Vector3d> places, std::mt19937& generator) {
+  std::normal_distribution<double> normal;
+  for (Vector3d& place : places) {
+    const Vector3d way(normal(generator), normal(generator), normal(generator));
+    place += kMovedMm * way.normalized();
+  }
+  return places;
+}
+
+void row(const Liver& liver, const Clicks& clicks, const Image& ct, const LabelMap& mask, int draws) {
+  LevelSetResult result;
+  const Spent spent =
+      measured([&] { result = segmentLevelSet({.ct = ct, .seeds = pointsOf(clicks.places)}, {}); });
+  const Pair pair = cropped(result.labels, mask, liver.label);
+  const std::vector<float> distances = surfaceDistances(pair);
+  const double maskMl = static_cast<double>(countOrgan(pair.b)) * ct.voxelVolume() / 1000;
+  std::vector<double> spread;
+  std::mt19937 generator(1);
+  for (int draw = 0; draw < draws; ++draw) {
+    const std::vector<Vector3d> places = moved(clicks.places, generator);
+    spread.push_back(diceOf(
+        cropped(segmentLevelSet({.ct = ct, .seeds = pointsOf(places)}, {}).labels, mask, liver.label)));
+  }
+  std::sort(spread.begin(), spread.end());
+  std::printf("| %s | %s | %.3f | %.0f of %.0f | %.2f | %.1f | %.1f | %.1f | ", liver.name, clicks.what,
+              diceOf(pair), result.volumeMl, maskMl, mean(distances),
+              static_cast<double>(distances[distances.size() * 95 / 100]), spent.wallMs / 1000,
+              spent.cpuMs / 1000);
+  if (spread.empty())
+    std::printf("- |\n");
+  else
+    std::printf("%.3f to %.3f |\n", spread.front(), spread.back());
+  for (const std::string& warning : result.warnings) std::fprintf(stderr, "  %s\n", warning.c_str());
+  std::fflush(stdout);
+}
+
+int run(int draws) {
+  setThreads(kThreads);
+  std::printf("%d threads. Distances between the borders, both ways. Last column: %d draws.\n\n", kThreads,
+              draws);
+  std::puts(
+      "| CT | clicks | Dice | volume, ml | mean distance, mm | 95 %, mm | s | processor s | Dice, each click "
+      "moved 5 mm |\n"
+      "|---|---|---|---|---|---|---|---|---|");
+  for (const Liver& liver : livers()) {
+    const auto ct = test::realData() / liver.ct, mask = test::realData() / liver.mask;
+    if (!std::filesystem::exists(ct) || !std::filesystem::exists(mask)) {
+      std::printf("| %s | needs %s |\n", liver.name, ct.string().c_str());
+      continue;
+    }
+    const Image image = readImage(ct).value;
+    const LabelMap labels = readLabelMap(mask).value;
+    for (const Clicks& clicks : liver.clicks) row(liver, clicks, image, labels, draws);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace falciform::bench
+
+int main(int argc, char** argv) { return falciform::bench::run(argc > 1 ? std::atoi(argv[1]) : 10); }
