@@ -62,7 +62,7 @@ SurfaceComparison::SurfaceComparison(const Surface& preop, const Surface& scan,
 void SurfaceComparison::measureCurvature(double radiusMm) {
   CurvatureSettings fit;
   fit.radiusMm = radiusMm;
-  fit.largestLean = 0.25;  // near a scan's border a noisy scan errs two to three times as much as in its middle
+  fit.largestLean = 0.25;  // near its border a noisy scan errs two to three times as much as in its middle
   preopCurvature_ = meanCurvature(preop_, fit);
   if (scan_.triangles.rows() > 0 || scanNormals_.rows() > 0) {
     scanCurvature_ = meanCurvature(scan_, fit);
