@@ -10,6 +10,7 @@
 
 #include "Logic/IO/OutputFile.h"
 #include "Logic/IO/SurfaceFiles.h"
+#include "Logic/IO/VolumeFiles.h"
 #include "Modules/DeformationAnalysis/DeformationAnalysisPanel.h"
 #include "Testing/Modules/PanelFixture.h"
 #include "Testing/Support/MappedSpheres.h"
@@ -31,7 +32,9 @@ struct DeformationAnalysisPanelTest : PanelTest {
   [[nodiscard]] const ScalarMap& colours() const { return bench.view.options().distanceColours; }
   void setBox(const char* name, double value) { child<QDoubleSpinBox>(panel, name).setValue(value); }
   void setTick(const char* name, bool on) { child<QCheckBox>(panel, name).setChecked(on); }
-  [[nodiscard]] QString cell(int row, int column) const { return table.item(row, column)->text(); }
+  [[nodiscard]] QString cell(int row, int column) const {
+    return table.item(row, column)->text().replace(QChar(0x2009), ' ');  // thin spaces
+  }
 
   DeformationAnalysisPanel panel{bench};
   QTableWidget& table = child<QTableWidget>(panel, "distanceStatistics");
@@ -79,6 +82,33 @@ TEST_F(DeformationAnalysisPanelTest, SegmentsOfTheLiverGetTheirRows) {
   ASSERT_EQ(table.rowCount(), 4);
   EXPECT_EQ(cell(2, 0), "segment IV");
   EXPECT_EQ(cell(3, 0), "segment VIII");
+}
+
+TEST_F(DeformationAnalysisPanelTest, AMapOfSegmentsIsOpenedAndForgottenWithItsLiver) {
+  const TemporaryFolder folder;
+  LabelMap segments;  // of the whole sphere: IV on the patient's left, VIII on the right
+  segments.size = {56, 56, 56};
+  segments.worldFromIndex.diagonal().head<3>().setConstant(2);
+  segments.worldFromIndex.topRightCorner<3, 1>().setConstant(-55);
+  segments.voxels.resize(static_cast<std::size_t>(segments.size.prod()));
+  for (std::size_t i = 0; i < segments.voxels.size(); ++i) segments.voxels[i] = i % 56 < 28 ? 8 : 4;
+  writeLabelMap(folder / "segments.nii.gz", segments, Overwrite::Refuse);
+  openSpheres();
+  panel.openSegments(QString::fromStdString((folder / "segments.nii.gz").string()));
+  EXPECT_THAT(words(panel, "segmentsFile"), testing::HasSubstr("segments.nii.gz"));
+  click(panel, "compute");
+  ASSERT_EQ(table.rowCount(), 4) << errors.join(" ").toStdString();
+  EXPECT_EQ(cell(2, 0), "segment IV");
+  EXPECT_EQ(cell(3, 0), "segment VIII");
+  const VectorXd found = valuesOf(*bench.document.distance(), kCouinaudSegment, false);
+  for (Index i = 0; i < found.size(); ++i)
+    if (const double x = bench.document.preop()->points(i, 0); std::abs(x) > 2) {  // mm, a voxel
+      EXPECT_EQ(found[i], x > 0 ? 4 : 8) << x;
+    }
+  bench.document.clear();
+  openSpheres();
+  click(panel, "compute");
+  EXPECT_EQ(table.rowCount(), 2) << "another liver's segments";
 }
 
 TEST_F(DeformationAnalysisPanelTest, TheScaleIsSymmetricAndAutomaticUntilSomebodyTypes) {
