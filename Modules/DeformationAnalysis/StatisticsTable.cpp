@@ -14,8 +14,10 @@ namespace {
 
 constexpr double kFontShare = 0.84;  // seven columns beside the view
 
+const QString kThin(QChar(0x2009));  // thin space
+
 QString percent(double share) {
-  return std::isfinite(share) ? QString::number(100 * share, 'f', 0) + " %" : QString::fromUtf8("–");
+  return std::isfinite(share) ? QString::number(100 * share, 'f', 0) + kThin + "%" : QString::fromUtf8("–");
 }
 
 QString figure(double value, int decimals) {
@@ -60,12 +62,13 @@ void StatisticsTable::addRow(const RegionRow& row, int decimals, const QString& 
   const int at = rowCount();
   insertRow(at);
   const QString dash = QString::fromUtf8("–");
-  const QString spread = std::isfinite(s.mean)
-                             ? figure(s.mean, decimals) + QString::fromUtf8(" ± ") + figure(s.sd, decimals)
-                             : dash;
-  const QString range = std::isfinite(s.min)
-                            ? figure(s.min, decimals) + QString::fromUtf8(" … ") + figure(s.max, decimals)
-                            : dash;
+  const QString spread = std::isfinite(s.mean) ? figure(s.mean, decimals) + kThin + QString::fromUtf8("±") +
+                                                     kThin + figure(s.sd, decimals)
+                                               : dash;
+  const int coarse = std::max(0, decimals - 1);  // the ends of a range are single places
+  const QString range = std::isfinite(s.min) ? figure(s.min, coarse) + kThin + QString::fromUtf8("…") +
+                                                   kThin + figure(s.max, coarse)
+                                             : dash;
   const QStringList texts{QString::fromStdString(row.name),
                           percent(row.coverage),
                           spread,
@@ -92,7 +95,7 @@ void StatisticsTable::show(const std::vector<RegionRow>& rows, const MapMetric& 
   setRowCount(0);
   setVisible(!rows.empty());
   setHorizontalHeaderLabels(
-      {what, tr("Cover"), tr("Mean ± SD"), tr("Median"), tr("Range"), tr("RMS"), tr("P95")});
+      {what, tr("Cover"), tr("Mean\n± SD"), tr("Med."), tr("Range"), tr("RMS"), tr("P95")});
   const QString unit = QString::fromStdString(metric.unit);
   setToolTip(tr("%1%2 over the covered places.\nCover: share of the area that has a value. P95: of the size, "
                 "either sign. Ctrl+C copies the table.")
@@ -105,14 +108,14 @@ void StatisticsTable::show(const std::vector<RegionRow>& rows, const MapMetric& 
 QString StatisticsTable::tabbedText() const {
   QStringList lines, cells;
   for (int column = 0; column < columnCount(); ++column)
-    if (horizontalHeaderItem(column)) cells << horizontalHeaderItem(column)->text();
+    if (horizontalHeaderItem(column)) cells << horizontalHeaderItem(column)->text().replace('\n', ' ');
   lines << cells.join('\t');
   for (int row = 0; row < rowCount(); ++row) {
     cells.clear();
     for (int column = 0; column < columnCount(); ++column) cells << item(row, column)->text();
     lines << cells.join('\t');
   }
-  return lines.join('\n') + '\n';
+  return lines.join('\n').replace(kThin, " ") + '\n';
 }
 
 void StatisticsTable::copy() const { QApplication::clipboard()->setText(tabbedText()); }
