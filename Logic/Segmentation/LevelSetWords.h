@@ -14,7 +14,8 @@ namespace falciform {
 
 /// "(12, -34, 56) mm".
 [[nodiscard]] inline std::string lpsText(const Vector3d& mm) {
-  return "(" + roundedText(mm.x(), 0) + ", " + roundedText(mm.y(), 0) + ", " + roundedText(mm.z(), 0) + ") mm";
+  return "(" + roundedText(mm.x(), 0) + ", " + roundedText(mm.y(), 0) + ", " + roundedText(mm.z(), 0) +
+         ") mm";
 }
 
 }  // namespace falciform

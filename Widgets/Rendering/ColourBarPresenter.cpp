@@ -23,6 +23,7 @@ namespace {
 
 // Shares of the viewport.
 constexpr double kBottom = 0.36, kTop = 0.86, kLeft = 0.890, kRight = 0.915;
+constexpr std::size_t kShortText = 4;
 
 /// The bar as a strip of small cells; stretches with the window.
 vtkSmartPointer<vtkActor2D> bar(const ScalarMap& map) {
@@ -78,8 +79,12 @@ void ColourBarPresenter::show(const ScalarMap& map, bool swatches) {
   for (const double value : tickValues(map.low, map.high)) {
     const double y = kBottom + (kTop - kBottom) * (value - map.low) / (map.high - map.low);
     keep(rectangleAt({kRight, y, 0, 0}, 0.3 * textPx_, 1, textColour_));
-    keep(textAt({kRight, y, 0.55 * textPx_, 0}, tickText(value, map), textPx_, textColour_, AlignX::Left,
-                AlignY::Centre));
+    const std::string text = tickText(value, map);
+    // A long one, "-0.025", would not fit between the bar and the edge of a small view: it keeps to the edge.
+    keep(
+        text.size() <= kShortText
+            ? textAt({kRight, y, 0.55 * textPx_, 0}, text, textPx_, textColour_, AlignX::Left, AlignY::Centre)
+            : textAt({1, y, -0.1 * textPx_, 0}, text, textPx_, textColour_, AlignX::Right, AlignY::Centre));
   }
   const std::string unit = map.unit.empty() ? "" : " (" + map.unit + ")";
   const auto title =

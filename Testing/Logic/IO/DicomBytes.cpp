@@ -124,7 +124,8 @@ std::string dicomSlice(const SlicePlan& plan) {
 }
 
 bool tellsIdentity(const std::string& text) {
-  for (const char* secret : {"MARKER", "SURNAME", "Marker", "Surname", "marker", "surname", "ID77", "19830704", "1983-07"})
+  for (const char* secret :
+       {"MARKER", "SURNAME", "Marker", "Surname", "marker", "surname", "ID77", "19830704", "1983-07"})
     if (text.find(secret) != std::string::npos) return true;
   return false;
 }
