@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Core/PlaceText.h"
 
 namespace falciform {
 namespace {
@@ -25,11 +26,6 @@ Vector3i voxelAt(const Image& image, const Vector3d& world) {
   const Eigen::Vector4d index = image.worldFromIndex.inverse() * world.homogeneous();
   if (!index.allFinite() || index.head<3>().cwiseAbs().maxCoeff() > 1e6) return Vector3i::Constant(-1);
   return index.head<3>().array().round().cast<int>();
-}
-
-std::string placeText(const Vector3d& p) {
-  const auto whole = [](double mm) { return std::to_string(std::lround(mm)); };
-  return whole(p.x()) + ", " + whole(p.y()) + ", " + whole(p.z()) + " mm";
 }
 
 /// Voxels that are new, joined to `from` by a face, an edge or a corner.

@@ -10,6 +10,7 @@
 #include "Logic/Biomechanics/QuadraticMesh.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Core/PlaceText.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Geometry/Tetrahedra.h"
 #include "Logic/Geometry/TriangleTree.h"

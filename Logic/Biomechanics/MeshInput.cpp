@@ -7,6 +7,7 @@
 #include <set>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Core/PlaceText.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Geometry/SamePlaces.h"
 #include "Logic/Geometry/Topology.h"
@@ -89,12 +90,6 @@ Vector3d firstOpenEdge(const Surface& surface) {
 }
 
 }  // namespace
-
-std::string placeText(const Vector3d& place) {
-  std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(), "%.1f %.1f %.1f mm", place.x(), place.y(), place.z());
-  return text.data();
-}
 
 std::vector<Surface> piecesOf(const Surface& surface) {
   const Adjacency neighbours = neighboursOfVertices(surface.triangles, surface.size());

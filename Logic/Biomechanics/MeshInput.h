@@ -20,7 +20,4 @@ enum class Pieces { Refuse, KeepLargest, KeepAll };
 /// The pieces of a surface that hang together by vertices, in order of their first point.
 [[nodiscard]] std::vector<Surface> piecesOf(const Surface& surface);
 
-/// "12.3 -4.5 67.8 mm".
-[[nodiscard]] std::string placeText(const Vector3d& place);
-
 }  // namespace falciform

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Logic/Core/PlaceText.h"
 #include "Logic/Segmentation/GridFilters.h"
-#include "Logic/Segmentation/LevelSetWords.h"
 #include "Logic/Segmentation/RegionPieces.h"
 #include "Logic/Segmentation/VolumePyramid.h"
 
@@ -19,7 +19,7 @@ constexpr std::size_t kMostNamed = 3;  ///< places named one by one
 std::string placesText(const std::vector<LeftOut>& parts) {
   std::string text;
   for (std::size_t i = 0; i < std::min(parts.size(), kMostNamed); ++i)
-    text += (i > 0 ? "; " : "") + roundedText(parts[i].volumeMl, 0) + " ml at " + lpsText(parts[i].place) +
+    text += (i > 0 ? "; " : "") + roundedText(parts[i].volumeMl, 0) + " ml at " + placeText(parts[i].place) +
             " behind " + roundedText(parts[i].neckMm, 1) + " mm";
   if (parts.size() > kMostNamed) text += "; and " + std::to_string(parts.size() - kMostNamed) + " more";
   return text;

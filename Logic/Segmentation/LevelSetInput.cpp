@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "Logic/Core/Errors.h"
-#include "Logic/Segmentation/LevelSetWords.h"
+#include "Logic/Core/PlaceText.h"
 
 namespace falciform {
 
@@ -48,7 +48,7 @@ void checkLevelSetInput(const LevelSetInput& input) {
     const Vector3d index = (indexFromWorld * mm.homogeneous()).head<3>();
     if (!mm.allFinite() || (index.array() < -0.5).any() ||
         (index.array() > ct.size.cast<double>().array() - 0.5).any())
-      throw InputError("seed " + std::to_string(s + 1) + " at " + lpsText(mm) +
+      throw InputError("seed " + std::to_string(s + 1) + " at " + placeText(mm) +
                        " lies outside the volume; give it in patient LPS mm");
   }
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Core/PlaceText.h"
 #include "Logic/Segmentation/GridFilters.h"
-#include "Logic/Segmentation/LevelSetWords.h"
 
 namespace falciform {
 

@@ -12,8 +12,8 @@ namespace falciform {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, digits).ptr};
 }
 
-/// "(12, -34, 56) mm".
-[[nodiscard]] inline std::string lpsText(const Vector3d& mm) {
+/// "(12, -34, 56) mm": a place in an error or a warning.
+[[nodiscard]] inline std::string placeText(const Vector3d& mm) {
   return "(" + roundedText(mm.x(), 0) + ", " + roundedText(mm.y(), 0) + ", " + roundedText(mm.z(), 0) +
          ") mm";
 }
