@@ -12,6 +12,7 @@
 #include "Logic/Core/Parallel.h"
 #include "Logic/Core/PlaceText.h"
 #include "Logic/Geometry/Measures.h"
+#include "Logic/Geometry/SurfaceDistances.h"
 #include "Logic/Geometry/Tetrahedra.h"
 #include "Logic/Geometry/TriangleTree.h"
 
@@ -108,17 +109,6 @@ void measureRegions(const TetrahedralMesh& mesh, const std::vector<TumourPiece>&
     if (region.elements == 0 && region.number > 0)
       report.warnings.push_back("tumour " + std::to_string(region.number) +
                                 " has no elements: none has its centre in it; choose shorter edges");
-}
-
-/// Distances of the places to the surface, mm.
-VectorXd distancesTo(const Surface& surface, const Points& places) {
-  const TriangleTree tree(surface);
-  VectorXd distances(places.rows());
-  forEachChunk(static_cast<std::size_t>(places.rows()), 256, [&](std::size_t begin, std::size_t end) {
-    for (auto i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i)
-      distances[i] = tree.closest(places.row(i).transpose()).distance;
-  });
-  return distances;
 }
 
 void measureBoundary(const TetrahedralMesh& mesh, const Surface& input, MeshReport& report) {

@@ -78,8 +78,12 @@ std::vector<std::vector<Passage>> passagesOf(const Surface& surface, const GridF
 }  // namespace
 
 GridField signedDistanceField(const Surface& surface, double cellMm, double bandMm) {
+  return signedDistanceField(surface, TriangleTree(surface), cellMm, bandMm);
+}
+
+GridField signedDistanceField(const Surface& surface, const TriangleTree& tree, double cellMm,
+                              double bandMm) {
   GridField field = latticeAround(surface, cellMm, bandMm + 2 * cellMm);
-  const TriangleTree tree(surface);
   std::vector<std::vector<Passage>> lines = passagesOf(surface, field);
   field.values.resize(lines.size() * static_cast<std::size_t>(field.counts.x()));
   forEachChunk(lines.size(), 16, [&](std::size_t begin, std::size_t end) {

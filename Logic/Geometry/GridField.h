@@ -5,6 +5,8 @@
 
 namespace falciform {
 
+class TriangleTree;
+
 /// One value at each corner of a lattice of cubes, x fastest.
 struct GridField {
   Vector3d origin = Vector3d::Zero();  ///< of corner (0, 0, 0), mm
@@ -26,6 +28,9 @@ struct GridField {
 /// inside; pockets turned inside out are outside. `cellMm` is made larger where the lattice would exceed 20
 /// million corners.
 [[nodiscard]] GridField signedDistanceField(const Surface& surface, double cellMm, double bandMm);
+/// The same with the surface's tree at hand, for several lattices of one surface.
+[[nodiscard]] GridField signedDistanceField(const Surface& surface, const TriangleTree& tree, double cellMm,
+                                            double bandMm);
 
 /// The surface where the field, linear in tetrahedra (each cube cut into six), takes the value `level`:
 /// a closed manifold that never cuts through itself, triangles facing larger values. Needs values above the

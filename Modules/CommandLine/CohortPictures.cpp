@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "Modules/CommandLine/PictureTiles.h"
-#include "Widgets/Rendering/ColourBarPresenter.h"
 #include "Widgets/Rendering/SurfacePresenter.h"
 
 namespace falciform::commandline {
@@ -16,10 +15,7 @@ const ViewMargins kMargins{0.04, 0.2, 0.1, 0.12};
 RenderedImage mapTile(const std::string& title, const std::shared_ptr<const Surface>& surface,
                       const ScalarMap& colours) {
   const auto scene = titledScene(title);
-  auto& presenter = scene->add<SurfacePresenter>();
-  presenter.show(surface);
-  presenter.setScalarMap(colours);
-  scene->add<ColourBarPresenter>(scene->style().textPx, scene->style().text).show(colours);
+  showMapped(*scene, surface, colours);
   return drawnTile(*scene, surface->points, directionOf(StandardView::Anterior), kMargins);
 }
 

@@ -28,10 +28,7 @@ class DistanceTiles {
     auto surface = std::make_shared<Surface>(*surface_);
     surface->arrays[colours.array] = values;
     const auto made = scene(title);
-    auto& presenter = made->add<SurfacePresenter>();
-    presenter.show(surface);
-    presenter.setScalarMap(colours);
-    made->add<ColourBarPresenter>(made->style().textPx, made->style().text).show(colours);
+    showMapped(*made, surface, colours);
     return drawnTile(*made, surface_->points, view_, kMargins);
   }
 

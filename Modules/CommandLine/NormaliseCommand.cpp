@@ -1,3 +1,4 @@
+#include "Logic/Atlas/BentImages.h"
 #include "Logic/Core/Errors.h"
 #include "Logic/Deformation/DistanceMapping.h"
 #include "Logic/Deformation/Normalisation/CarriedImages.h"
@@ -91,7 +92,7 @@ Patient read(const fs::path& file, CommandRun& run) {
   return patient;
 }
 
-/// The target's label map's grid, or millimetres around its surface.
+/// A lattice in the target's LPS, some millimetres around its surface.
 DisplacementGrid carrierGrid(const falciform::Surface& target) {
   const auto box = boundingBox(target.points);
   const Vector3d low = box.row(0).transpose().array() - kMarginMm,
@@ -164,7 +165,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
     writeLabelMap(run.outputs.staged(folder / kLabels),
                   carryLabels(grid, source.labels, size, worldFromIndex), Overwrite::Replace);
   if (image) {
-    const float background = *std::min_element(ct.voxels.begin(), ct.voxels.end());
+    const float background = backgroundOf(ct);
     writeImage(run.outputs.staged(folder / kImage), carryImage(grid, ct, background, size, worldFromIndex),
                Overwrite::Replace);
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "Modules/CommandLine/PictureTiles.h"
-#include "Widgets/Rendering/ColourBarPresenter.h"
 #include "Widgets/Rendering/SurfacePresenter.h"
 
 namespace falciform::commandline {
@@ -14,12 +13,11 @@ const ViewMargins kMargins{0.04, 0.2, 0.12, 0.1};
 
 RenderedImage tile(const std::string& title, const Surface& surface, const ScalarMap* colours) {
   const auto scene = titledScene(title);
-  auto& presenter = scene->add<SurfacePresenter>();
-  presenter.show(std::make_shared<const Surface>(surface));
-  if (colours != nullptr) {
-    presenter.setScalarMap(*colours);
-    scene->add<ColourBarPresenter>(scene->style().textPx, scene->style().text).show(*colours);
-  }
+  const auto shown = std::make_shared<const Surface>(surface);
+  if (colours != nullptr)
+    showMapped(*scene, shown, *colours);
+  else
+    scene->add<SurfacePresenter>().show(shown);
   return drawnTile(*scene, surface.points, directionOf(StandardView::Anterior), kMargins);
 }
 

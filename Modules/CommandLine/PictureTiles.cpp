@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "Logic/Core/Errors.h"
+#include "Widgets/Rendering/ColourBarPresenter.h"
 #include "Widgets/Rendering/OffscreenWindow.h"
+#include "Widgets/Rendering/SurfacePresenter.h"
 
 namespace falciform::commandline {
 namespace {
@@ -27,6 +29,13 @@ std::unique_ptr<Scene> titledScene(const std::string& title, TextPlace place) {
   text.setBold(true);
   text.setText(title);
   return scene;
+}
+
+void showMapped(Scene& scene, const std::shared_ptr<const Surface>& surface, const ScalarMap& colours) {
+  auto& presenter = scene.add<SurfacePresenter>();
+  presenter.show(surface);
+  presenter.setScalarMap(colours);
+  scene.add<ColourBarPresenter>(scene.style().textPx, scene.style().text).show(colours);
 }
 
 RenderedImage drawnTile(Scene& scene, const Points& within, const ViewDirection& view,

@@ -7,6 +7,7 @@
 #include "Modules/CommandLine/ParsedArguments.h"
 #include "Widgets/Rendering/CameraViews.h"
 #include "Widgets/Rendering/RenderedImage.h"
+#include "Widgets/Rendering/ScalarMap.h"
 #include "Widgets/Rendering/Scene.h"
 #include "Widgets/Rendering/TextPresenter.h"
 
@@ -20,6 +21,8 @@ namespace falciform::commandline {
 /// A scene for one tile, empty but for its title.
 [[nodiscard]] std::unique_ptr<Scene> titledScene(const std::string& title,
                                                  TextPlace place = TextPlace::TopLeft);
+/// Puts the surface in, coloured by one of its arrays, and the bar of its colours.
+void showMapped(Scene& scene, const std::shared_ptr<const Surface>& surface, const ScalarMap& colours);
 /// Draws it so that `within` fills the tile but for the margins.
 [[nodiscard]] RenderedImage drawnTile(Scene& scene, const Points& within, const ViewDirection& view,
                                       const ViewMargins& margins);

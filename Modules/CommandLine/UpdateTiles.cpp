@@ -69,11 +69,8 @@ RenderedImage UpdateTiles::registered() const {
 
 RenderedImage UpdateTiles::mapped(const std::string& title, const ScalarMap& colours, bool scan) const {
   const auto made = scene(title);
-  auto& presenter = made->add<SurfacePresenter>();
-  presenter.show(moved_);
-  presenter.setScalarMap(colours);
+  showMapped(*made, moved_, colours);
   if (scan) addScan(*made);
-  made->add<ColourBarPresenter>(made->style().textPx, made->style().text).show(colours);
   return draw(*made);
 }
 
@@ -93,10 +90,7 @@ RenderedImage UpdateTiles::expectedError() const {
 RenderedImage UpdateTiles::residual(const std::string& title, const Surface& scanWithDistance,
                                     const ScalarMap& colours) const {
   const auto made = scene(title);
-  auto& presenter = made->add<SurfacePresenter>();
-  presenter.show(std::make_shared<const Surface>(scanWithDistance));
-  presenter.setScalarMap(colours);
-  made->add<ColourBarPresenter>(made->style().textPx, made->style().text).show(colours);
+  showMapped(*made, std::make_shared<const Surface>(scanWithDistance), colours);
   return draw(*made);
 }
 

@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "Logic/Core/Parallel.h"
 #include "Logic/Deformation/DistanceMapping.h"
 #include "Logic/Deformation/Normalisation/LiverRegistration.h"
 #include "Logic/Deformation/Normalisation/SurfaceErrors.h"
 #include "Logic/Geometry/Measures.h"
-#include "Logic/Geometry/TriangleTree.h"
+#include "Logic/Geometry/SurfaceDistances.h"
 #include "Logic/IO/VolumeFiles.h"
 #include "Logic/Segmentation/SurfaceImport.h"
 #include "Testing/Benchmarks/NormalisationPeers.h"
@@ -57,18 +56,9 @@ void printRow(const std::string& source, const char* who, double seconds, const 
   Surface moved = target;
   moved.points = toSource;
   moved.normals.resize(0, 3);
-  const auto distances = [](const Surface& to, const Points& places) {
-    const TriangleTree tree(to);
-    VectorXd values(places.rows());
-    forEachChunk(static_cast<std::size_t>(places.rows()), 512, [&](std::size_t begin, std::size_t end) {
-      for (auto i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i)
-        values[i] = tree.closest(places.row(i).transpose()).distance;
-    });
-    return values;
-  };
-  const VectorXd fromTarget = distances(liver, toSource);
+  const VectorXd fromTarget = distancesTo(liver, toSource);
   std::printf("| %s | %s |", source.c_str(), who);
-  printCells(distances(moved, liver.points));
+  printCells(distancesTo(moved, liver.points));
   printCells(fromTarget);
   printCells(facingForward(target, fromTarget));
   std::printf(" %s | %.1f |\n", determinant.c_str(), seconds);

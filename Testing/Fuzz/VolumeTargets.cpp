@@ -9,14 +9,6 @@ namespace falciform::test {
 
 namespace {
 
-LabelMap smallMap() {
-  LabelMap map;
-  map.size = {6, 5, 4};
-  map.worldFromIndex.topLeftCorner<3, 3>() = Vector3d(-0.75, 0.75, 1.5).asDiagonal();
-  for (int v = 0; v < 120; ++v) map.voxels.push_back(static_cast<std::uint16_t>(v % 9));
-  return map;
-}
-
 template <class T>
 void demandSound(const Volume<T>& volume) {
   demand(volume.voxels.size() == volume.offset(0, 0, volume.size.z()), "voxels are missing");

@@ -16,15 +16,14 @@
 #include "Widgets/Rendering/PaintInteractor.h"
 #include "Widgets/Rendering/Picking.h"
 #include "Widgets/Rendering/PoseInteractor.h"
-#include "Widgets/Rendering/RenderedImage.h"
 #include "Widgets/Views/CaseScene.h"
 #include "Widgets/Views/DataProbe.h"
+#include "Widgets/Views/SceneCanvas.h"
 #include "Widgets/Views/StandardViewBar.h"
 
 namespace falciform {
 namespace {
 
-constexpr int kProbeAfterMs = 40;     // the mouse has slowed down
 constexpr double kHandleShare = 0.4;  // radius of the handles' rings, of the scan's reach
 
 }  // namespace
@@ -71,25 +70,13 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
   column->setSpacing(0);
   addToolBar();
 
-  parts_->canvas = new QVTKOpenGLNativeWidget(this);
-  parts_->canvas->setObjectName("canvas");
-  // The scene's texts are laid out in true pixels; VTK is not to enlarge them a second time on a dense
-  // screen.
-  parts_->canvas->setUnscaledDPI(static_cast<int>(std::lround(72 / devicePixelRatioF())));
-  parts_->canvas->setRenderWindow(parts_->window);
-  parts_->canvas->setFocusPolicy(Qt::StrongFocus);
-  parts_->canvas->setMinimumSize(320, 240);
-  parts_->canvas->installEventFilter(this);
+  parts_->canvas = sceneCanvas(this, "canvas", parts_->window);
   parts_->scene.scene().attach(parts_->window);
   parts_->window->GetInteractor()->SetInteractorStyle(parts_->style);
   column->addWidget(parts_->canvas, 1);
 
-  parts_->probeText = new QLabel(this);
-  parts_->probeText->setObjectName("probe");
-  parts_->probeText->setContentsMargins(6, 2, 6, 2);
-  parts_->probeText->setToolTip(
-      tr("What lies under the mouse: part, value with its unit, patch, place in mm, vertex"));
-  parts_->probeText->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  parts_->probeText = probeLine(
+      this, "probe", tr("What lies under the mouse: part, value with its unit, patch, place in mm, vertex"));
   column->addWidget(parts_->probeText);
 
   parts_->style->onChange = [this] { parts_->view.brushChanged.emit(); };
@@ -104,13 +91,8 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
     parts_->view.edit([](ViewOptions& options) { options.moving = false; });
   };
 
-  parts_->followTimer = new QTimer(this);
-  parts_->followTimer->setSingleShot(true);
-  connect(parts_->followTimer, &QTimer::timeout, this, &CaseView3D::follow);
-  parts_->probeTimer = new QTimer(this);
-  parts_->probeTimer->setSingleShot(true);
-  parts_->probeTimer->setInterval(kProbeAfterMs);
-  connect(parts_->probeTimer, &QTimer::timeout, this, &CaseView3D::probe);
+  parts_->followTimer = onceTimer(this, 0, [this] { follow(); });
+  parts_->probeTimer = onceTimer(this, kProbeAfterMs, [this] { probe(); });
   parts_->caseChanged = document.changed.connect([this](Case::Part) { followSoon(); });
   parts_->viewChanged = view.changed.connect([this] { followSoon(); });
   followSoon();
@@ -139,7 +121,7 @@ QWidget* CaseView3D::canvas() const { return parts_->canvas; }
 QWidget* CaseView3D::toolBar() const { return parts_->toolBar; }
 
 // Several changes in a row, as when a case is opened, are drawn once.
-void CaseView3D::followSoon() { parts_->followTimer->start(0); }
+void CaseView3D::followSoon() { parts_->followTimer->start(); }
 
 void CaseView3D::follow() {
   if (parts_->scene.follow()) parts_->fitWanted = true;
@@ -193,15 +175,14 @@ void CaseView3D::followMoving() {
 }
 
 void CaseView3D::fit() {
-  const QSizeF size = QSizeF(parts_->canvas->size()) * parts_->canvas->devicePixelRatioF();
-  parts_->scene.fit(std::max(1.0, size.width()), std::max(1.0, size.height()));
+  const Eigen::Vector2d size = pixelSize(*parts_->canvas);
+  parts_->scene.fit(size.x(), size.y());
   render();
 }
 
 std::function<void(const std::filesystem::path&)> CaseView3D::picture() {
   follow();
-  auto image = std::make_shared<const RenderedImage>(falciform::grab(parts_->window));
-  return [image](const std::filesystem::path& file) { savePng(*image, file, Overwrite::Replace); };
+  return pictureOf(parts_->window);
 }
 
 void CaseView3D::shareCamera(CaseView3D& other) {
@@ -214,9 +195,7 @@ void CaseView3D::shareCamera(CaseView3D& other) {
 /// Draws anew when somebody else has moved the camera; several moves in a row once.
 void CaseView3D::watchCamera() {
   if (parts_->renderTimer) return;
-  parts_->renderTimer = new QTimer(this);
-  parts_->renderTimer->setSingleShot(true);
-  connect(parts_->renderTimer, &QTimer::timeout, this, [this] {
+  parts_->renderTimer = onceTimer(this, 0, [this] {
     vtkRenderer* renderer = parts_->scene.scene().renderer();
     if (parts_->canvas->isVisible() && renderer->GetActiveCamera()->GetMTime() != parts_->drawnCamera)
       render();
@@ -236,10 +215,7 @@ void CaseView3D::render() {
 }
 
 QPoint CaseView3D::canvasPosition(const Vector3d& pointInScene) const {
-  const Eigen::Vector2d pixel = screenPosition(parts_->scene.scene().renderer(), pointInScene);
-  const double ratio = parts_->canvas->devicePixelRatioF();
-  return {static_cast<int>(std::lround(pixel.x() / ratio)),
-          static_cast<int>(std::lround(parts_->canvas->height() - 1 - pixel.y() / ratio))};
+  return canvasPlace(*parts_->canvas, screenPosition(parts_->scene.scene().renderer(), pointInScene));
 }
 
 bool CaseView3D::eventFilter(QObject* watched, QEvent* event) {
@@ -266,10 +242,9 @@ bool CaseView3D::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void CaseView3D::probe() {
-  const double ratio = parts_->canvas->devicePixelRatioF();
-  const double x = parts_->mouse.x() * ratio, y = (parts_->canvas->height() - 1 - parts_->mouse.y()) * ratio;
+  const Eigen::Vector2d pixel = windowPixel(*parts_->canvas, parts_->mouse);
   parts_->probeText->setText(QString::fromStdString(
-      parts_->probe.at(parts_->scene.scene().renderer(), parts_->scene.shown(), x, y)));
+      parts_->probe.at(parts_->scene.scene().renderer(), parts_->scene.shown(), pixel.x(), pixel.y())));
 }
 
 }  // namespace falciform

@@ -10,20 +10,18 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <cmath>
 
 #include "Widgets/Rendering/MapGalleryScene.h"
 #include "Widgets/Rendering/NavigationInteractor.h"
 #include "Widgets/Rendering/Picking.h"
-#include "Widgets/Rendering/RenderedImage.h"
 #include "Widgets/Views/DataProbe.h"
+#include "Widgets/Views/SceneCanvas.h"
 #include "Widgets/Views/StandardViewBar.h"
 
 namespace falciform {
 namespace {
 
-constexpr int kProbeAfterMs = 40;  // the mouse has slowed down
-constexpr int kClickPx = 4;        // farther is a drag
+constexpr int kClickPx = 4;  // farther is a drag
 
 }  // namespace
 
@@ -54,9 +52,8 @@ MapGalleryView::MapGalleryView(ViewState& view, QWidget* parent)
   column->setSpacing(0);
   auto* bar = new StandardViewBar(
       [this](std::optional<StandardView> turned) {
-        const double ratio = parts_->canvas->devicePixelRatioF();
-        parts_->scene.fit(std::max(1.0, parts_->canvas->width() * ratio),
-                          std::max(1.0, parts_->canvas->height() * ratio), turned);
+        const Eigen::Vector2d size = pixelSize(*parts_->canvas);
+        parts_->scene.fit(size.x(), size.y(), turned);
         parts_->window->Render();
       },
       this);
@@ -64,35 +61,20 @@ MapGalleryView::MapGalleryView(ViewState& view, QWidget* parent)
   connect(parts_->all, &QToolButton::clicked, this, [this] { enlarge(-1); });
   column->addWidget(bar);
 
-  parts_->canvas = new QVTKOpenGLNativeWidget(this);
-  parts_->canvas->setObjectName("galleryCanvas");
-  // The texts are laid out in true pixels; VTK is not to enlarge them a second time on a dense screen.
-  parts_->canvas->setUnscaledDPI(static_cast<int>(std::lround(72 / devicePixelRatioF())));
-  parts_->canvas->setRenderWindow(parts_->window);
-  parts_->canvas->setFocusPolicy(Qt::StrongFocus);
-  parts_->canvas->setMinimumSize(320, 240);
-  parts_->canvas->installEventFilter(this);
+  parts_->canvas = sceneCanvas(this, "galleryCanvas", parts_->window);
   parts_->scene.attach(parts_->window);
   parts_->window->GetInteractor()->SetInteractorStyle(parts_->style);
   column->addWidget(parts_->canvas, 1);
 
-  parts_->probeText = new QLabel(this);
-  parts_->probeText->setObjectName("galleryProbe");
-  parts_->probeText->setContentsMargins(6, 2, 6, 2);
-  parts_->probeText->setToolTip(
-      tr("What lies under the mouse: case, value with its unit, patch, place in mm, vertex"));
-  parts_->probeText->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  parts_->probeText =
+      probeLine(this, "galleryProbe",
+                tr("What lies under the mouse: case, value with its unit, patch, place in mm, vertex"));
   column->addWidget(parts_->probeText);
 
-  parts_->followTimer = new QTimer(this);
-  parts_->followTimer->setSingleShot(true);
-  connect(parts_->followTimer, &QTimer::timeout, this, &MapGalleryView::follow);
-  parts_->probeTimer = new QTimer(this);
-  parts_->probeTimer->setSingleShot(true);
-  parts_->probeTimer->setInterval(kProbeAfterMs);
-  connect(parts_->probeTimer, &QTimer::timeout, this, &MapGalleryView::probe);
-  parts_->viewChanged = view.changed.connect([this] { parts_->followTimer->start(0); });
-  parts_->followTimer->start(0);
+  parts_->followTimer = onceTimer(this, 0, [this] { follow(); });
+  parts_->probeTimer = onceTimer(this, kProbeAfterMs, [this] { probe(); });
+  parts_->viewChanged = view.changed.connect([this] { parts_->followTimer->start(); });
+  parts_->followTimer->start();
 }
 
 MapGalleryView::~MapGalleryView() = default;
@@ -122,16 +104,14 @@ void MapGalleryView::follow() {
 
 void MapGalleryView::fit() {
   parts_->fitWanted = false;
-  const double ratio = parts_->canvas->devicePixelRatioF();
-  parts_->scene.fit(std::max(1.0, parts_->canvas->width() * ratio),
-                    std::max(1.0, parts_->canvas->height() * ratio));
+  const Eigen::Vector2d size = pixelSize(*parts_->canvas);
+  parts_->scene.fit(size.x(), size.y());
   parts_->window->Render();
 }
 
 std::function<void(const std::filesystem::path&)> MapGalleryView::picture() {
   follow();
-  auto image = std::make_shared<const RenderedImage>(falciform::grab(parts_->window));
-  return [image](const std::filesystem::path& file) { savePng(*image, file, Overwrite::Replace); };
+  return pictureOf(parts_->window);
 }
 
 void MapGalleryView::enlarge(int tile) {
@@ -140,16 +120,12 @@ void MapGalleryView::enlarge(int tile) {
 
 QPoint MapGalleryView::canvasPosition(int tile, const Vector3d& pointInMap) const {
   const Vector3d place = parts_->scene.surface(tile).sceneFromSurface() * pointInMap;
-  const Eigen::Vector2d pixel = screenPosition(parts_->scene.renderer(tile), place);
-  const double ratio = parts_->canvas->devicePixelRatioF();
-  return {static_cast<int>(std::lround(pixel.x() / ratio)),
-          static_cast<int>(std::lround(parts_->canvas->height() - 1 - pixel.y() / ratio))};
+  return canvasPlace(*parts_->canvas, screenPosition(parts_->scene.renderer(tile), place));
 }
 
-int MapGalleryView::tileAt(const QPoint& canvasPlace) const {
-  const double ratio = parts_->canvas->devicePixelRatioF();
-  return parts_->scene.tileAt(canvasPlace.x() * ratio,
-                              (parts_->canvas->height() - 1 - canvasPlace.y()) * ratio);
+int MapGalleryView::tileAt(const QPoint& place) const {
+  const Eigen::Vector2d pixel = windowPixel(*parts_->canvas, place);
+  return parts_->scene.tileAt(pixel.x(), pixel.y());
 }
 
 bool MapGalleryView::eventFilter(QObject* watched, QEvent* event) {
@@ -182,7 +158,7 @@ bool MapGalleryView::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Show:
     case QEvent::Resize:
       parts_->fitWanted = true;  // the tiles' shape follows the window's
-      parts_->followTimer->start(0);
+      parts_->followTimer->start();
       break;
     default:
       break;
@@ -199,10 +175,9 @@ void MapGalleryView::probe() {
   lpsFromMap.matrix() = mapped.lpsFromMap;
   const ShownSurface shown{"case " + std::to_string(tile), mapped.name,           presenter.surface(),
                            presenter.sceneFromSurface(),   presenter.scalarMap(), lpsFromMap};
-  const double ratio = parts_->canvas->devicePixelRatioF();
-  const double x = parts_->mouse.x() * ratio, y = (parts_->canvas->height() - 1 - parts_->mouse.y()) * ratio;
+  const Eigen::Vector2d pixel = windowPixel(*parts_->canvas, parts_->mouse);
   parts_->probeText->setText(
-      QString::fromStdString(parts_->probe.at(parts_->scene.renderer(tile), {shown}, x, y)));
+      QString::fromStdString(parts_->probe.at(parts_->scene.renderer(tile), {shown}, pixel.x(), pixel.y())));
 }
 
 }  // namespace falciform

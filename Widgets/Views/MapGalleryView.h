@@ -35,7 +35,7 @@ class MapGalleryView : public QWidget {
   void follow();
   void enlarge(int tile);
   void probe();
-  [[nodiscard]] int tileAt(const QPoint& canvasPlace) const;
+  [[nodiscard]] int tileAt(const QPoint& place) const;
 
   struct Parts;
   std::unique_ptr<Parts> parts_;

@@ -52,9 +52,9 @@ class Level {
     }
   }
 
+ private:
   [[nodiscard]] Points moved() const {
     Points places = places_;
-    if (active_.empty()) return places;
     Rows c(active_.size(), Row::Zero());
     for (std::size_t k = 0; k < active_.size(); ++k)
       c[k].head<3>() = warp_.coefficients.row(active_[k]).transpose().cast<float>();
@@ -69,7 +69,6 @@ class Level {
     return places;
   }
 
- private:
   template <class Body>
   void forEachPart(Body&& body) const {
     forEachChunk(kParts, 1, [&](std::size_t first, std::size_t last) {
@@ -236,11 +235,9 @@ class Level {
 
 }  // namespace
 
-BasisWarp fitLevel(const Similarity& similarity, Points& places, BasisWarp lattice, const LevelPlan& plan,
-                   const Progress& progress) {
-  Level level(similarity, places, lattice, plan);
-  level.fit(progress);
-  places = level.moved();
+BasisWarp fitLevel(const Similarity& similarity, const Points& places, BasisWarp lattice,
+                   const LevelPlan& plan, const Progress& progress) {
+  Level(similarity, places, lattice, plan).fit(progress);
   return lattice;
 }
 

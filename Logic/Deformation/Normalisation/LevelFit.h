@@ -17,9 +17,9 @@ struct LevelPlan {
   double innerTolerance = 1e-3;   ///< the energy left is below this share
 };
 
-/// Finds the coefficients of `lattice` that make target and source most alike, moves the samples' places by
-/// the warp found, and returns it. Only functions around which the two differ take part.
-[[nodiscard]] BasisWarp fitLevel(const Similarity& similarity, Points& places, BasisWarp lattice,
+/// Finds the coefficients of `lattice` that make target and source most alike at the samples' `places`, in
+/// the source's frame before this level. Only functions around which the two differ take part.
+[[nodiscard]] BasisWarp fitLevel(const Similarity& similarity, const Points& places, BasisWarp lattice,
                                  const LevelPlan& plan, const Progress& progress = {});
 
 }  // namespace falciform

@@ -13,6 +13,7 @@
 #include "Logic/Geometry/GridField.h"
 #include "Logic/Geometry/Measures.h"
 #include "Logic/Geometry/Topology.h"
+#include "Logic/Geometry/TriangleTree.h"
 
 namespace falciform {
 
@@ -64,14 +65,25 @@ struct Fields {
   GridField sourceImage, targetImage;  ///< empty where there are none
 };
 
-Fields fieldsOf(const Surface& target, const Surface& source, const CtPair* images,
+/// A liver and what every resolution asks of it.
+struct Liver {
+  explicit Liver(const Surface& of) : surface(of), tree(of) {}
+  [[nodiscard]] GridField distances(const Resolution& resolution) const {
+    return signedDistanceField(surface, tree, resolution.cellMm, resolution.bandMm);
+  }
+
+  const Surface& surface;
+  TriangleTree tree;
+};
+
+Fields fieldsOf(const Liver& target, const Liver& source, const CtPair* images,
                 const Resolution& resolution) {
   Fields fields;
-  fields.sourceDistance = signedDistanceField(source, resolution.cellMm, resolution.bandMm);
-  fields.targetDistance = signedDistanceField(target, resolution.cellMm, resolution.bandMm);
+  fields.sourceDistance = source.distances(resolution);
+  fields.targetDistance = target.distances(resolution);
   if (images == nullptr) return fields;
-  fields.targetImage = imageField(images->target, target, resolution.cellMm, resolution.bandMm);
-  fields.sourceImage = imageField(images->source, source, resolution.cellMm, resolution.bandMm);
+  fields.targetImage = imageField(images->target, target.surface, resolution.cellMm, resolution.bandMm);
+  fields.sourceImage = imageField(images->source, source.surface, resolution.cellMm, resolution.bandMm);
   return fields;
 }
 
@@ -94,6 +106,7 @@ LiverMap registerBoth(const Surface& target, const Surface& source, const CtPair
                       const NormalisationSettings& settings, const Progress& progress) {
   checkClosed(target, "target");
   checkClosed(source, "source");
+  const Liver targetLiver(target), sourceLiver(source);
   const auto box = boundingBox(source.points);
   const double coarsest = std::max((box.row(1) - box.row(0)).maxCoeff() / 2, settings.finestMm);
   LevelPlan plan;
@@ -105,7 +118,7 @@ LiverMap registerBoth(const Surface& target, const Surface& source, const CtPair
   for (const Resolution& resolution : kResolutions) {
     if (level > 0 && level == settings.levels) break;
     progress.report(static_cast<double>(level) / settings.levels, "Distances");
-    const Fields fields = fieldsOf(target, source, images, resolution);
+    const Fields fields = fieldsOf(targetLiver, sourceLiver, images, resolution);
     if (level == 0)
       map.sourceFromTarget = alignLivers(
           fields.sourceDistance, samplesOf(fields.targetDistance, resolution.bandMm, resolution.cellMm),

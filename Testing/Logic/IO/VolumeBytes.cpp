@@ -60,4 +60,12 @@ bool warns(const std::vector<std::string>& warnings, const std::string& text) {
   return false;
 }
 
+LabelMap smallMap() {
+  LabelMap map;
+  map.size = {6, 5, 4};
+  map.worldFromIndex.topLeftCorner<3, 3>() = Vector3d(-0.75, 0.75, 1.5).asDiagonal();
+  for (int v = 0; v < 120; ++v) map.voxels.push_back(static_cast<std::uint16_t>(v % 9));
+  return map;
+}
+
 }  // namespace falciform::test

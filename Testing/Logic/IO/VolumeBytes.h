@@ -90,4 +90,7 @@ bool holdsGoldenVoxels(const Volume<T>& volume) {
 /// True if some warning contains `text`.
 [[nodiscard]] bool warns(const std::vector<std::string>& warnings, const std::string& text);
 
+/// 6 x 5 x 4 voxels of 0.75 x 0.75 x 1.5 mm, the first axis turned round, that hold 0..8 again and again.
+[[nodiscard]] LabelMap smallMap();
+
 }  // namespace falciform::test

@@ -28,14 +28,6 @@ bool readsOrRefuses(Read read, const std::filesystem::path& file, std::size_t fi
   }
 }
 
-LabelMap smallMap() {
-  LabelMap map;
-  map.size = {6, 5, 4};
-  map.worldFromIndex.topLeftCorner<3, 3>() = Vector3d(-0.75, 0.75, 1.5).asDiagonal();
-  for (int v = 0; v < 120; ++v) map.voxels.push_back(static_cast<std::uint16_t>(v % 9));
-  return map;
-}
-
 std::string fileBytes(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
