@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/MeshFiles.h"
 #include "Logic/IO/ResultFiles.h"
+#include "Logic/IO/TrackedPointFiles.h"
 #include "Logic/IO/TransformFiles.h"
 #include "Testing/Fuzz/FuzzTarget.h"
 #include "Testing/Logic/IO/ResultSamples.h"
@@ -71,6 +73,14 @@ void readSoundLandmarks(Path file) {
     demand(point.position.allFinite(), "a landmark that is not finite");
 }
 
+void readSoundTracking(Path file) {
+  const TrackedPoints tracked = readTrackedPoints(file, Vector3d(0, 0, 120)).value;
+  demand(tracked.size() > 0 && tracked.points.allFinite(), "a place that is not finite");
+  demand(static_cast<Index>(tracked.stroke.size()) == tracked.size(), "a point without a stroke");
+  demand(std::is_sorted(tracked.stroke.begin(), tracked.stroke.end()), "strokes out of order");
+  demand(tracked.stroke.back() + 1 == static_cast<int>(tracked.strokes.size()), "a stroke without a name");
+}
+
 void readSoundCsv(Path file) {
   const CsvTable table = readCsvTable(file);
   demand(!table.rows.empty(), "a table without a head");
@@ -103,6 +113,14 @@ std::vector<FuzzTarget> otherTargets() {
       {"table_csv", "t.csv",
        [](Path) { return "name,\"a, b\",c\n\"x \"\"y\"\"\",1.5,2\nz;,3,-4e-3\n# note\nlast,,\n"; },
        readSoundCsv});
+  targets.push_back(
+      {"tracked_csv", "s.csv",
+       [](Path) {
+         return "# "
+                "space=tracker\ntime_s,q0,qx,qy,qz,Tx,Ty,Tz,State,swab\n0,1,0,0,0,1.5,-20,300,OK,ridge\n0.1,"
+                "0.6,0.8,0,0,2,-19,301,OK,ridge\n0.2,,,,,,,,Missing,ridge\n1.5,1,0,0,0,40,5,310,OK,groove\n";
+       },
+       readSoundTracking});
   targets.push_back(written(
       "registration_json", "r.json",
       [](Path f) { writeJsonFile(f, toJson(sampleRegistration()), Overwrite::Refuse); },
