@@ -56,6 +56,7 @@ void checkSurface(const Surface& surface, const std::string& what) {
   expect(static_cast<Index>(surface.patch.size()), "Patch");
   expect(surface.normals.rows(), "Normals");
   expect(surface.colours.rows(), "RGB");
+  expect(surface.textureAt.rows(), "TCoords");
   for (const auto& [name, values] : surface.arrays) expect(values.size(), name);
   for (const int label : surface.patch)
     if (label < 0 || label > patch::kMax)

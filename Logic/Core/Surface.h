@@ -1,8 +1,10 @@
 #pragma once
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "Logic/Core/ColourImage.h"
 #include "Logic/Core/Types.h"
 
 namespace falciform {
@@ -19,11 +21,13 @@ inline constexpr int kMax = 255;
 /// A triangle surface or, with no triangles, a point cloud. Scans are Surfaces too, with or without
 /// triangles.
 struct Surface {
-  Points points;           ///< N x 3, mm, in `frame`
-  Triangles triangles;     ///< M x 3; 0 rows for a cloud
-  std::vector<int> patch;  ///< N labels, or empty when nothing is painted
-  Points normals;          ///< N x 3 unit vectors, or 0 rows
-  Colours colours;         ///< N x 3, or 0 rows
+  Points points;                               ///< N x 3, mm, in `frame`
+  Triangles triangles;                         ///< M x 3; 0 rows for a cloud
+  std::vector<int> patch;                      ///< N labels, or empty when nothing is painted
+  Points normals;                              ///< N x 3 unit vectors, or 0 rows
+  Colours colours;                             ///< N x 3, or 0 rows
+  TexturePlaces textureAt;                     ///< N x 2 places in `texture`, or 0 rows
+  std::shared_ptr<const ColourImage> texture;  ///< the scanner's photograph; nullptr: none
   std::map<std::string, VectorXd>
       arrays;  ///< analysis arrays of N values, unit in the name: "signed_distance_mm"
   std::map<int, std::string> patchNames;  ///< names of labels from 3 up

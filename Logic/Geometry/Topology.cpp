@@ -205,6 +205,8 @@ Surface subset(const Surface& surface, const std::vector<int>& keep) {
   rows(surface.points, part.points);
   rows(surface.normals, part.normals);
   rows(surface.colours, part.colours);
+  rows(surface.textureAt, part.textureAt);
+  part.texture = surface.texture;
   if (!surface.patch.empty())
     for (const int i : keep) part.patch.push_back(surface.patch[at(i)]);
   for (const auto& [name, values] : surface.arrays) part.arrays[name] = values(keep);

@@ -3,6 +3,7 @@
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -78,6 +79,7 @@ vtkSmartPointer<vtkPolyData> toVtk(const Surface& surface) {
     values->AddArray(labels);
   }
   if (surface.colours.rows() > 0) values->AddArray(arrayOf<vtkUnsignedCharArray>("RGB", surface.colours));
+  if (surface.textureAt.rows() > 0) values->SetTCoords(arrayOf<vtkFloatArray>("TCoords", surface.textureAt));
   if (surface.normals.rows() > 0) values->SetNormals(arrayOf<vtkDoubleArray>("Normals", surface.normals));
 
   addTexts(data, "SPACE", {surface.frame});

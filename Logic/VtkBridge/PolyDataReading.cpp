@@ -141,6 +141,8 @@ void readPointArrays(vtkPointData* values, Surface& surface) {
       surface.colours = rowsOf<Colours>(array);
     else if (width == 3 && (array == values->GetNormals() || name == "Normals"))
       surface.normals = unitNormals(array);
+    else if (width == 2 && (array == values->GetTCoords() || name == "TCoords"))
+      surface.textureAt = rowsOf<TexturePlaces>(array);
     else if (width == 1)
       surface.arrays[name] = rowsOf<VectorXd>(array);
   }

@@ -1,4 +1,4 @@
-#include "Logic/Acquisition/RasterMesh.h"
+#include "Logic/Geometry/RasterMesh.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
