@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/NumberText.h"
+#include "Logic/IO/RangeGrid.h"
 #include "Logic/IO/SurfaceFormats.h"
 #include "Logic/IO/SurfaceParts.h"
 
 // XYZ and CSV: one point a line; numbers parted by blanks, commas or semicolons; a first line may name the
-// columns.
+// columns. A raster is told by columns named row and column, or by a comment "# raster ROWS COLUMNS" above
+// ROWS x COLUMNS lines, line by line from the upper left as the scanner sees it; missing samples are nan.
 
 namespace falciform {
 
@@ -24,7 +27,8 @@ std::string lower(std::string_view word) {
 struct Table {
   std::vector<std::string> names;  ///< as in the header line; empty without one
   std::size_t columns = 0;
-  std::vector<double> values;  ///< row by row
+  std::vector<double> values;             ///< row by row
+  int rasterRows = 0, rasterColumns = 0;  ///< as a comment says; 0: it does not
 };
 
 class TableReader {
@@ -40,6 +44,7 @@ class TableReader {
       line_ = cursor.line();
       if (line[begin] == '#' || line.substr(begin, 2) == "//") {
         if (const auto tag = spaceTagIn(line); tag && !space) space = tag;
+        readRasterComment(line.substr(begin + 1));
         continue;
       }
       readRow(line);
@@ -50,6 +55,15 @@ class TableReader {
  private:
   [[noreturn]] void refuse(const std::string& why) const {
     throw InputError(name_ + ", line " + std::to_string(line_) + ": " + why);
+  }
+
+  void readRasterComment(std::string_view comment) {
+    int rows = 0, columns = 0;
+    if (nextWord(comment) == "raster" && parseNumber(nextWord(comment), rows) &&
+        parseNumber(nextWord(comment), columns) && rows > 0 && columns > 0) {
+      table_.rasterRows = rows;
+      table_.rasterColumns = columns;
+    }
   }
 
   void readRow(std::string_view line) {
@@ -151,6 +165,47 @@ void guessColumns(const Columns& columns, const std::string& name, RawSurface& r
       " have no names and were ignored; name them in a first line, such as x,y,z,nx,ny,nz");
 }
 
+/// Of the columns named row and column, and takes these out of the arrays; empty without them.
+RangeGrid namedGrid(Surface& surface, const std::string& name) {
+  constexpr double kCellsAPoint = 50;  // emptier than this it is no raster
+  RangeGrid grid;
+  const auto named = [&](std::initializer_list<const char*> names) {
+    return std::find_if(surface.arrays.begin(), surface.arrays.end(), [&](const auto& array) {
+      return std::find(names.begin(), names.end(), lower(array.first)) != names.end();
+    });
+  };
+  const auto rows = named({"row", "line"}), columns = named({"column", "col", "sample"});
+  if (rows == surface.arrays.end() || columns == surface.arrays.end()) return grid;
+  const VectorXd row = rows->second, column = columns->second;
+  const auto whole = [](const VectorXd& values) {
+    return values.allFinite() && values.minCoeff() >= 0 && (values.array() == values.array().floor()).all();
+  };
+  if (!whole(row) || !whole(column)) return grid;
+  const double cells = (row.maxCoeff() + 1) * (column.maxCoeff() + 1);
+  if (cells > kCellsAPoint * static_cast<double>(row.size()))
+    throw InputError(name + ": its rows and columns span " + numberText(cells) + " samples for " +
+                     std::to_string(row.size()) + " points; number them from 0 without gaps");
+  grid.rows = static_cast<int>(row.maxCoeff()) + 1;
+  grid.columns = static_cast<int>(column.maxCoeff()) + 1;
+  grid.point.assign(static_cast<std::size_t>(cells), -1);
+  for (Index i = 0; i < row.size(); ++i)
+    grid.point[static_cast<std::size_t>(row[i] * grid.columns + column[i])] = static_cast<int>(i);
+  surface.arrays.erase(rows);
+  surface.arrays.erase(columns);
+  return grid;
+}
+
+RangeGrid announcedGrid(const Table& table, Index points, const std::string& name) {
+  RangeGrid grid{table.rasterRows, table.rasterColumns, {}};
+  if (static_cast<double>(grid.rows) * grid.columns != static_cast<double>(points))
+    throw InputError(name + ": it announces a raster of " + std::to_string(grid.rows) + " x " +
+                     std::to_string(grid.columns) + " samples, but holds " + std::to_string(points) +
+                     " lines; write 'nan nan nan' for each missing sample");
+  grid.point.resize(static_cast<std::size_t>(points));
+  std::iota(grid.point.begin(), grid.point.end(), 0);
+  return grid;
+}
+
 }  // namespace
 
 RawSurface readCloudText(const std::string& text, const std::string& name) {
@@ -168,6 +223,12 @@ RawSurface readCloudText(const std::string& text, const std::string& name) {
     guessColumns(columns, name, raw);
   else
     useNames(table, columns, name, raw.surface);
+  RangeGrid grid =
+      table.rasterRows > 0 ? announcedGrid(table, raw.surface.size(), name) : namedGrid(raw.surface, name);
+  if (grid.rows > 0) {
+    (void)dropMissing(raw.surface, grid);
+    if (raw.surface.size() > 0) joinRaster(raw.surface, grid, std::nullopt);
+  }
   return raw;
 }
 

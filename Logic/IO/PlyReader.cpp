@@ -5,6 +5,7 @@
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/NumberText.h"
 #include "Logic/IO/PlyHeader.h"
+#include "Logic/IO/RangeGrid.h"
 #include "Logic/IO/SurfaceFormats.h"
 #include "Logic/IO/SurfaceParts.h"
 
@@ -119,6 +120,18 @@ bool takeRows(Columns& columns, const std::array<std::string, 3>& names, Points&
   return true;
 }
 
+/// As MeshLab, Blender and VTK call them.
+void takePlaces(Columns& columns, Surface& surface) {
+  for (const auto& [u, v] : {std::pair("s", "t"), std::pair("u", "v"), std::pair("texture_u", "texture_v")}) {
+    if (!columns.contains(u) || !columns.contains(v)) continue;
+    surface.textureAt.resize(columns[u].size(), 2);
+    surface.textureAt << columns[u].cast<float>(), columns[v].cast<float>();
+    columns.erase(u);
+    columns.erase(v);
+    return;
+  }
+}
+
 void takeVertices(Columns columns, const std::string& name, Surface& surface) {
   if (!takeRows(columns, {"x", "y", "z"}, surface.points))
     throw InputError(name + ": its vertices lack x, y or z; export it again");
@@ -133,27 +146,78 @@ void takeVertices(Columns columns, const std::string& name, Surface& surface) {
       surface.patch = patchLabelsFrom(labels->second, name);
       columns.erase(labels);
     }
+  takePlaces(columns, surface);
   for (const char* unused : {"alpha", "diffuse_alpha"}) columns.erase(unused);
   surface.arrays = std::move(columns);  // such as CloudCompare's scalar_intensity
 }
 
-Triangles readFaces(PlyBody& body, const PlyElement& element, Index points, const std::string& name) {
-  TriangleCollector triangles(points, name);
+/// One corner after the other: MeshLab's "texcoord" lists two numbers for each.
+void readFaces(PlyBody& body, const PlyElement& element, const std::string& name, RawSurface& raw) {
+  TriangleCollector triangles(raw.surface.size(), name);
+  TextureCollector corners;
   std::vector<long long> ids;
-  for (std::size_t i = 0; i < element.count; ++i)
+  std::vector<float> places;
+  for (std::size_t i = 0; i < element.count; ++i) {
+    ids.clear();
+    places.clear();
     for (const PlyProperty& property : element.properties) {
-      if (!property.isList || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+      const bool isIds = property.name == "vertex_indices" || property.name == "vertex_index";
+      if (!property.isList || (!isIds && property.name != "texcoord")) {
         body.skip(property);
         continue;
       }
-      ids.resize(body.nextLength(property));
-      for (long long& id : ids) {
+      const std::size_t length = body.nextLength(property);
+      for (std::size_t k = 0; k < length; ++k) {
         const double value = body.next(property.type);
-        id = value >= 0 && value < 4294967296.0 ? static_cast<long long>(value) : -1;
+        if (isIds)
+          ids.push_back(value >= 0 && value < 4294967296.0 ? static_cast<long long>(value) : -1);
+        else
+          places.push_back(static_cast<float>(value));
       }
-      triangles.addPolygon(ids);
     }
-  return triangles.triangles();
+    triangles.addPolygon(ids);
+    for (std::size_t k = 0; places.size() == 2 * ids.size() && k < ids.size(); ++k)
+      corners.put(ids[k], places[2 * k], places[2 * k + 1]);
+  }
+  raw.surface.triangles = triangles.triangles();
+  corners.finish(raw.surface.size(), name, raw);
+}
+
+/// Stanford's range grid: a list of one point or none for each sample, the lowest line first; the scanner
+/// looks down the z axis.
+void readRangeGrid(PlyBody& body, const PlyElement& element, const PlyHeader& header, RawSurface& raw) {
+  RangeGrid grid;
+  for (const std::string& comment : header.comments) {
+    std::string_view rest = comment;
+    const std::string_view key = nextWord(rest);
+    if (key == "num_cols") (void)parseNumber(nextWord(rest), grid.columns);
+    if (key == "num_rows") (void)parseNumber(nextWord(rest), grid.rows);
+  }
+  if (grid.rows < 1 || grid.columns < 1 ||
+      static_cast<double>(grid.rows) * grid.columns != static_cast<double>(element.count))
+    throw InputError(header.name + ": obj_info says " + std::to_string(grid.rows) + " rows of " +
+                     std::to_string(grid.columns) + " columns for a range_grid of " +
+                     std::to_string(element.count) + " samples; mend num_rows and num_cols");
+  for (std::size_t i = 0; i < element.count; ++i) {
+    int point = -1;
+    for (const PlyProperty& property : element.properties) {
+      if (!property.isList) {
+        body.skip(property);
+        continue;
+      }
+      for (std::size_t left = body.nextLength(property); left > 0; --left) {
+        const double value = body.next(property.type);
+        if (!(value >= 0 && value < static_cast<double>(raw.surface.size())))
+          throw InputError(header.name + ": the range grid names point " + numberText(value) +
+                           ", but there are points 0 to " + std::to_string(raw.surface.size() - 1) +
+                           "; export it again");
+        point = static_cast<int>(value);
+      }
+    }
+    grid.point.push_back(point);
+  }
+  constexpr double kFar = 1e6;
+  joinRaster(raw.surface, grid, Vector3d(0, 0, kFar));
 }
 
 }  // namespace
@@ -164,13 +228,17 @@ RawSurface readPly(const std::string& bytes, const std::string& name) {
   for (const std::string& comment : header.comments) {
     if (const auto tag = spaceTagIn(comment); tag && !raw.space) raw.space = tag;
     readPatchNameComment(comment, raw.surface);
+    if (std::string_view rest = comment; nextWord(rest) == "TextureFile")
+      raw.textureFile = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
   }
   PlyBody body(header, bytes);
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex")
       takeVertices(readColumns(body, element), name, raw.surface);
     else if (element.name == "face")
-      raw.surface.triangles = readFaces(body, element, raw.surface.size(), name);
+      readFaces(body, element, name, raw);
+    else if (element.name == "range_grid")
+      readRangeGrid(body, element, header, raw);
     else if (!element.properties.empty())
       for (std::size_t i = 0; i < element.count; ++i)
         for (const PlyProperty& property : element.properties) body.skip(property);

@@ -4,8 +4,11 @@
 #include <cctype>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/IO/DepthFrames.h"
+#include "Logic/IO/ImageFiles.h"
 #include "Logic/IO/SpaceAndUnits.h"
 #include "Logic/IO/SurfaceFormats.h"
+#include "Logic/IO/SurfaceTextures.h"
 
 namespace falciform {
 
@@ -20,17 +23,20 @@ std::string extensionOf(const std::filesystem::path& file) {
 
 RawSurface readRaw(const std::filesystem::path& file, const std::string& name) {
   const std::string extension = extensionOf(file);
-  const auto& known = surfaceExtensions();
-  if (std::find(known.begin(), known.end(), extension) == known.end())
-    throw InputError("'" + name +
-                     "' has no surface extension; give .vtp, .vtk, .stl, .ply, .obj, .xyz or .csv");
+  if (!isSurfaceFile(file))
+    throw InputError(
+        "'" + name +
+        "' has no surface extension; give .vtp, .vtk, .stl, .ply, .obj, .pcd, .xyz, .csv, .rgbd or a "
+        ".png of depths");
   const std::string bytes = readTextFile(file);
   if (bytes.empty()) throw InputError(name + " is empty (0 bytes); copy or export it again");
+  if (isDepthFrame(file)) return readDepthFrame(depthFrameBeside(file));
   if (extension == ".vtp") return readVtp(bytes, name);
   if (extension == ".vtk") return readLegacyVtk(bytes, name);
   if (extension == ".stl") return readStl(bytes, name);
   if (extension == ".ply") return readPly(bytes, name);
   if (extension == ".obj") return readObj(bytes, name);
+  if (extension == ".pcd") return readPcd(bytes, name);
   return readCloudText(bytes, name);
 }
 
@@ -45,6 +51,7 @@ Loaded<Surface> readSurface(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
   RawSurface raw = readRaw(file, name);
   Surface& surface = raw.surface;
+  attachTexture(raw, file);
   const bool turned = honourSpace(surface.points, surface.frame, raw.space, name, raw.warnings);
   if (turned && surface.normals.rows() > 0) surface.normals.leftCols<2>() *= -1;
   checkRead(raw, name);
@@ -57,19 +64,39 @@ void writeSurface(const std::filesystem::path& file, const Surface& surface, Ove
   if (surface.size() == 0)
     throw InputError("the surface for '" + file.string() + "' has no points; there is nothing to write");
   const std::string extension = extensionOf(file);
+  const bool textured = surface.texture && surface.textureAt.rows() > 0 && extension != ".stl";
+  const std::vector<std::filesystem::path> beside =
+      textured ? filesBeside(file) : std::vector<std::filesystem::path>{};
+  std::string bytes;
   if (extension == ".vtp")
-    writeTextFile(file, overwrite, vtpOf(surface));
+    bytes = vtpOf(surface);
   else if (extension == ".vtk")
-    writeTextFile(file, overwrite, legacyVtkOf(surface));
+    bytes = legacyVtkOf(surface);
   else if (extension == ".stl")
-    writeTextFile(file, overwrite, stlOf(surface));
+    bytes = stlOf(surface);
   else if (extension == ".ply")
-    writeTextFile(file, overwrite, plyOf(surface));
+    bytes = plyOf(surface, textured ? beside[0].filename().string() : "");
   else if (extension == ".obj")
-    writeTextFile(file, overwrite, objOf(surface));
+    bytes = objOf(surface, textured ? beside[1].filename().string() : "");
   else
     throw InputError("cannot write a surface as '" + file.filename().string() +
                      "'; choose .vtp, .vtk, .stl, .ply or .obj");
+  for (const auto& other : beside)
+    if (overwrite == Overwrite::Refuse && std::filesystem::exists(other))
+      throw InputError("'" + other.string() + "', the texture of '" + file.filename().string() +
+                       "', exists; choose another name or give --force");
+  writeTextFile(file, overwrite, bytes);
+  if (!textured) return;
+  writePng(beside[0], *surface.texture, overwrite);
+  if (extension == ".obj")
+    writeTextFile(beside[1], overwrite, "newmtl scan\nmap_Kd " + beside[0].filename().string() + "\n");
+}
+
+std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  std::vector<std::filesystem::path> files{file.parent_path() / (stem + "_texture.png")};
+  if (extensionOf(file) == ".obj") files.push_back(file.parent_path() / (stem + ".mtl"));
+  return files;
 }
 
 Surface scaled(const Surface& surface, double factor) {
@@ -79,8 +106,16 @@ Surface scaled(const Surface& surface, double factor) {
 }
 
 const std::vector<std::string>& surfaceExtensions() {
-  static const std::vector<std::string> kExtensions{".vtp", ".vtk", ".stl", ".ply", ".obj", ".xyz", ".csv"};
+  static const std::vector<std::string> kExtensions{".vtp", ".vtk", ".stl", ".ply", ".obj",
+                                                    ".pcd", ".xyz", ".csv", ".rgbd"};
   return kExtensions;
+}
+
+bool isSurfaceFile(const std::filesystem::path& file) {
+  const std::string extension = extensionOf(file);
+  const auto& known = surfaceExtensions();
+  return std::find(known.begin(), known.end(), extension) != known.end() ||
+         (extension == ".png" && isDepthImage(file));
 }
 
 }  // namespace falciform

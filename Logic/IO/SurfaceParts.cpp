@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/NumberText.h"
@@ -21,6 +22,28 @@ void TriangleCollector::addPolygon(std::span<const long long> ids) {
 
 Triangles TriangleCollector::triangles() const {
   return Eigen::Map<const Triangles>(ids_.data(), static_cast<Index>(ids_.size() / 3), 3);
+}
+
+void TextureCollector::put(long long point, float u, float v) { corners_.push_back({point, u, v}); }
+
+void TextureCollector::finish(Index points, const std::string& name, RawSurface& raw) const {
+  constexpr float kSamePlace = 1e-5F;  // a tenth of a pixel in an image of 10,000
+  if (corners_.empty()) return;
+  TexturePlaces& places = raw.surface.textureAt;
+  places = TexturePlaces::Constant(points, 2, std::numeric_limits<float>::quiet_NaN());
+  std::vector<char> seam(static_cast<std::size_t>(points));
+  for (const Corner& corner : corners_) {
+    if (corner.point < 0 || corner.point >= points)
+      throw InputError(name + ": a face names point " + std::to_string(corner.point) +
+                       ", which is not there; the file is damaged, export it again");
+    auto place = places.row(corner.point);
+    if (!place.allFinite())
+      place << corner.u, corner.v;
+    else if (!((place - Eigen::RowVector2f(corner.u, corner.v)).cwiseAbs().maxCoeff() <= kSamePlace))
+      seam[static_cast<std::size_t>(corner.point)] = 1;
+  }
+  for (std::size_t i = 0; i < seam.size(); ++i)
+    if (seam[i]) raw.seam.push_back(static_cast<int>(i));
 }
 
 std::vector<int> patchLabelsFrom(const VectorXd& values, const std::string& name) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "Logic/Core/Surface.h"
+#include "Logic/IO/SurfaceFormats.h"
 
 namespace falciform {
 
@@ -23,6 +24,22 @@ class TriangleCollector {
   Index points_;
   std::string name_;
   std::vector<int> ids_;
+};
+
+/// Collects where points lie in an image, corner by corner, as faces tell it.
+class TextureCollector {
+ public:
+  void put(long long point, float u, float v);
+  /// Fills textureAt and seam for `points` points: the place first met, not finite where there is none.
+  /// Leaves both as they are if there was no place at all. Throws InputError for a point outside.
+  void finish(Index points, const std::string& name, RawSurface& raw) const;
+
+ private:
+  struct Corner {
+    long long point;
+    float u, v;
+  };
+  std::vector<Corner> corners_;
 };
 
 /// Whole numbers in 0..255; throws InputError otherwise.

@@ -22,15 +22,17 @@ void append(std::string& bytes, Number value) {
 
 }  // namespace
 
-std::string plyOf(const Surface& surface) {
+std::string plyOf(const Surface& surface, const std::string& textureFile) {
   const bool normals = surface.normals.rows() > 0, colours = surface.colours.rows() > 0,
-             patches = !surface.patch.empty();
+             patches = !surface.patch.empty(), texture = !textureFile.empty();
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment " + spaceTagOf(surface) + "\n";
   for (const std::string& comment : patchNameComments(surface)) bytes += "comment " + comment + "\n";
+  if (texture) bytes += "comment TextureFile " + textureFile + "\n";
   bytes += "element vertex " + std::to_string(surface.size()) +
            "\nproperty double x\nproperty double y\nproperty double z\n";
   if (normals) bytes += "property double nx\nproperty double ny\nproperty double nz\n";
   if (colours) bytes += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (texture) bytes += "property float s\nproperty float t\n";
   if (patches) bytes += "property uchar Patch\n";
   if (surface.triangles.rows() > 0)
     bytes += "element face " + std::to_string(surface.triangles.rows()) +
@@ -40,6 +42,7 @@ std::string plyOf(const Surface& surface) {
     for (Index k = 0; k < 3; ++k) append(bytes, surface.points(i, k));
     for (Index k = 0; normals && k < 3; ++k) append(bytes, surface.normals(i, k));
     for (Index k = 0; colours && k < 3; ++k) append(bytes, surface.colours(i, k));
+    for (Index k = 0; texture && k < 2; ++k) append(bytes, surface.textureAt(i, k));
     if (patches) append(bytes, static_cast<std::uint8_t>(surface.patchAt(i)));
   }
   for (Index i = 0; i < surface.triangles.rows(); ++i) {
@@ -49,16 +52,28 @@ std::string plyOf(const Surface& surface) {
   return bytes;
 }
 
-std::string objOf(const Surface& surface) {
+std::string objOf(const Surface& surface, const std::string& library) {
   std::string text = "# " + spaceTagOf(surface) + "\n";
+  if (!library.empty()) text += "mtllib " + library + "\n";
   for (Index i = 0; i < surface.size(); ++i) {
     text += 'v';
     for (Index k = 0; k < 3; ++k) text += ' ' + numberText(surface.points(i, k));
     text += '\n';
   }
+  if (!library.empty()) {
+    for (Index i = 0; i < surface.size(); ++i)
+      text += surface.textureAt.row(i).allFinite() ? "vt " + numberText(surface.textureAt(i, 0)) + ' ' +
+                                                         numberText(surface.textureAt(i, 1)) + '\n'
+                                                   : std::string("vt 0 0\n");
+    text += "usemtl scan\n";
+  }
   for (Index i = 0; i < surface.triangles.rows(); ++i) {
     text += 'f';
-    for (Index k = 0; k < 3; ++k) text += ' ' + std::to_string(surface.triangles(i, k) + 1);
+    for (Index k = 0; k < 3; ++k) {
+      const std::string id = std::to_string(surface.triangles(i, k) + 1);
+      const bool placed = !library.empty() && surface.textureAt.row(surface.triangles(i, k)).allFinite();
+      text += ' ' + id + (placed ? '/' + id : "");
+    }
     text += '\n';
   }
   return text;

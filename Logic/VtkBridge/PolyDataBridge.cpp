@@ -79,7 +79,8 @@ vtkSmartPointer<vtkPolyData> toVtk(const Surface& surface) {
     values->AddArray(labels);
   }
   if (surface.colours.rows() > 0) values->AddArray(arrayOf<vtkUnsignedCharArray>("RGB", surface.colours));
-  if (surface.textureAt.rows() > 0) values->SetTCoords(arrayOf<vtkFloatArray>("TCoords", surface.textureAt));
+  if (surface.texture && surface.textureAt.rows() > 0)
+    values->SetTCoords(arrayOf<vtkFloatArray>("TCoords", surface.textureAt));
   if (surface.normals.rows() > 0) values->SetNormals(arrayOf<vtkDoubleArray>("Normals", surface.normals));
 
   addTexts(data, "SPACE", {surface.frame});

@@ -47,8 +47,7 @@ class PressedLiver {
   /// Frame K shows state 4 K.
   [[nodiscard]] UpdateTrial filmed(int k) const {
     const std::string number = std::to_string(k);
-    return {readDepthFrame(folder_ / ("rgbd_" + number + ".rgbd"), folder_ / ("polaris_" + number + ".xml")),
-            nodes(0), nodes(4 * k)};
+    return {readDepthFrame(folder_ / ("rgbd_" + number + ".rgbd")), nodes(0), nodes(4 * k)};
   }
   [[nodiscard]] const ReadyLiver& ready() const { return liver_; }
 
