@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "Logic/Acquisition/LiverStructures.h"
+#include "Logic/Acquisition/PhantomBeads.h"
 #include "Logic/Acquisition/PhantomBody.h"
 #include "Logic/Acquisition/PhantomCt.h"
 #include "Logic/Acquisition/PhantomPainting.h"
 #include "Logic/Acquisition/RegionCentroid.h"
+#include "Logic/Acquisition/ScanScene.h"
 #include "Logic/Core/Draws.h"
 #include "Logic/Geometry/Sampling.h"
 #include "Logic/Geometry/SphereFit.h"
@@ -57,8 +59,11 @@ void colour(Surface& scan) {
 /// The liver's points of the whole view, and the patches drawn on them.
 Surface liverOf(const Surface& wholeView, const LiverShape& liver, const Isometry3d& preopFromScan) {
   std::vector<int> ids;
+  const auto source = wholeView.arrays.find(structure::kArray);
   for (Index i = 0; i < wholeView.size(); ++i)
-    if (wholeView.patchAt(i) == patch::kNone) ids.push_back(static_cast<int>(i));
+    if (wholeView.patchAt(i) == patch::kNone &&
+        (source == wholeView.arrays.end() || source->second[i] == structure::kOrgan))
+      ids.push_back(static_cast<int>(i));
   Surface scan = subset(wholeView, ids);
   scan.patchNames.clear();
   scan.patch = paintPhantomScan(liver, transformed(scan.points, preopFromScan));
@@ -66,8 +71,6 @@ Surface liverOf(const Surface& wholeView, const LiverShape& liver, const Isometr
 }
 
 }  // namespace
-
-double rangeNoiseMm(double distanceMm) { return 0.3 + (1.0 - 0.3) * (distanceMm - 300) / (800 - 300); }
 
 PhantomPlan thesisPhantom() {
   PhantomPlan plan;
@@ -95,9 +98,18 @@ Vector3d locateSphere(const Points& scan, const Vector3d& click, double radiusMm
   return fitSphereRobust(rowsOf(scan, near), radiusMm).centre;
 }
 
+Landmarks locateBeads(const Image& ct) {
+  constexpr double kLargestMm3 = 30;  // three voxels across at 1 mm: a bead and its blur
+  Landmarks beads;
+  for (const GrownRegion& body : findBodies(ct, phantom::kBeadLevel, 0, kLargestMm3))
+    beads.points.push_back({"bead " + std::to_string(beads.points.size() + 1), body.centre});
+  return beads;
+}
+
 PhantomCase makePhantomCase(const PhantomPlan& plan, const Progress& progress) {
   checkSettings(plan.liver);
   checkSettings(plan.scanner);
+  checkSettings(plan.faults);
   checkSettings(plan.phantom);
   const double radius = plan.phantom.sphereRadiusMm, click = plan.phantom.clickErrorMm,
                onSphere = 0.6 * radius;
@@ -105,10 +117,14 @@ PhantomCase makePhantomCase(const PhantomPlan& plan, const Progress& progress) {
   const LiverShape liver(plan.liver);
   // Region growing sums two layers of voxels around a sphere and looks at a third: the liver stays beyond.
   const double gap = std::max(plan.phantom.sphereGapMm, 4 * plan.liver.voxelMm);
-  const PhantomBody body = placeSpheres(liver, radius, gap, plan.scanner);
+  PhantomBody body = placeSpheres(liver, radius, gap, plan.scanner);
   PhantomCase made;
   made.trueSpheresCt = spheresOf(body);
   made.targets = insideTargets(liver, placeStructures(liver));
+  if (plan.phantom.beads > 0) {
+    made.targets = placeBeads(liver, {.count = plan.phantom.beads, .seed = seed});
+    for (const Landmark& bead : made.targets.points) body.beads.push_back(bead.position);
+  }
 
   made.ct = imagePhantom(body, plan.liver.voxelMm, plan.phantom.ctNoiseHu, plan.phantom.seed,
                          progress.part(0, 0.4));
@@ -117,10 +133,11 @@ PhantomCase makePhantomCase(const PhantomPlan& plan, const Progress& progress) {
   made.spheresCt = located(made.trueSpheresCt, click, onSphere, Draws(seed, 10), [&](const Vector3d& near) {
     return growRegion(made.ct, near, phantom::kTeflonLevel, 2 * ballMm3).centre;
   });
+  if (plan.phantom.beads > 0) made.beadsCt = locateBeads(made.ct);
   made.labels = labelPhantom(made.ct, body.spheres, radius);
 
   const Surface mesh = meshPhantom(body, plan.liver.edgeLengthMm, progress.part(0.45, 0.8));
-  VirtualScan seen = scanSurface(mesh, middleOf(liver), plan.scanner, progress.part(0.8, 1));
+  VirtualScan seen = scanSurface(mesh, middleOf(liver), plan.scanner, plan.faults, progress.part(0.8, 1));
   made.scanFromPreop = seen.scanFromPreop;
   made.wholeView = std::move(seen.scan);
   colour(made.wholeView);

@@ -47,7 +47,7 @@ Vector3d middleOf(const LiverShape& liver) { return liver.bounds().colwise().mea
 
 PhantomBody placeSpheres(const LiverShape& liver, double sphereRadiusMm, double gapMm,
                          const VirtualScannerSettings& scanner) {
-  PhantomBody body{.liver = liver, .spheres = {}, .sphereRadiusMm = sphereRadiusMm};
+  PhantomBody body{.liver = liver, .spheres = {}, .sphereRadiusMm = sphereRadiusMm, .beads = {}};
   const Vector3d towards = towardsScanner(scanner), eye = middleOf(liver) + scanner.distanceMm * towards;
   const Vector3d right = (-towards).cross(Vector3d::UnitZ()).normalized(), down = (-towards).cross(right);
   for (const Stand& stand : kStands) {

@@ -13,10 +13,13 @@ struct PhantomBody {
   LiverShape liver;
   std::vector<Vector3d> spheres;  ///< centres
   double sphereRadiusMm = 0;
+  std::vector<Vector3d> beads;  ///< of steel, 1 mm across, in the silicone (thesis ch. V); CT alone sees them
 
   /// Corners of a box that holds all of it with some air, rows 0 and 1.
   [[nodiscard]] Box bounds() const;
 };
+
+inline constexpr double kBeadRadiusMm = 0.5;
 
 /// What the scanner is aimed at: the middle of the liver's box.
 [[nodiscard]] Vector3d middleOf(const LiverShape& liver);

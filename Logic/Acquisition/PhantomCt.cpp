@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <unordered_map>
 
 #include "Logic/Core/Draws.h"
 #include "Logic/Core/Parallel.h"
@@ -41,6 +43,34 @@ double voxelShare(const Distance& distance, double atMiddle, const Vector3d& mid
   return share;
 }
 
+/// What voxels see of the beads, by offset: of 1 mm each, so by their points and not by a distance.
+std::unordered_map<std::size_t, double> beadShares(const Image& ct, const std::vector<Vector3d>& beads,
+                                                   double voxelMm) {
+  constexpr int kAcross = 11;  // points over a bead's diameter
+  std::vector<Vector3d> ball;
+  for (int n = 0; n < kAcross * kAcross * kAcross; ++n) {
+    const Vector3d part(n % kAcross, n / kAcross % kAcross, n / (kAcross * kAcross));
+    const Vector3d unit = ((part.array() + 0.5) / kAcross * 2 - 1).matrix();
+    if (unit.norm() < 1) ball.emplace_back(kBeadRadiusMm * unit);
+  }
+  const double volume = 4.0 / 3 * std::numbers::pi * std::pow(kBeadRadiusMm / voxelMm, 3);
+  const Matrix4d indexFromWorld = ct.worldFromIndex.inverse();
+  std::unordered_map<std::size_t, double> shares;
+  for (const Vector3d& bead : beads)
+    for (const Vector3d& part : ball) {
+      const Vector3d at = (indexFromWorld * (bead + part).homogeneous()).head<3>();
+      const Vector3i low = at.array().floor().cast<int>();
+      for (int n = 0; n < 8; ++n) {  // the falling weight of a voxel reaches the next middle to either side
+        const Vector3i voxel = low + Vector3i(n & 1, n >> 1 & 1, n >> 2);
+        if (voxel.minCoeff() < 0 || (ct.size - voxel).minCoeff() < 1) continue;
+        const double weight = (1 - (at - voxel.cast<double>()).array().abs()).prod();
+        shares[ct.offset(voxel.x(), voxel.y(), voxel.z())] +=
+            volume * weight / static_cast<double>(ball.size());
+      }
+    }
+  return shares;
+}
+
 }  // namespace
 
 Image imagePhantom(const PhantomBody& body, double voxelMm, double noiseHu, int seed,
@@ -49,6 +79,7 @@ Image imagePhantom(const PhantomBody& body, double voxelMm, double noiseHu, int 
   const auto spheres = [&](const Vector3d& p) { return distanceToSpheres(body, p); };
   Image ct = sampleDepth(liver, body.bounds(), voxelMm, progress.part(0, 0.3));  // depth first, then HU
   const auto rows = static_cast<std::size_t>(ct.size.y());
+  const auto steel = beadShares(ct, body.beads, voxelMm);
   for (int k = 0; k < ct.size.z(); ++k) {
     progress.report(0.3 + 0.7 * k / ct.size.z(), "Imaging the phantom");
     forEachChunk(rows, 8, [&](std::size_t begin, std::size_t end) {
@@ -61,9 +92,12 @@ Image imagePhantom(const PhantomBody& body, double voxelMm, double noiseHu, int 
           float& value = ct.at(i, j, k);
           const double silicone = voxelShare(liver, -static_cast<double>(value), middle, voxelMm);
           const double teflon = voxelShare(spheres, spheres(middle), middle, voxelMm);
-          const double hu = phantom::kAirHu + silicone * (phantom::kSiliconeHu - phantom::kAirHu) +
-                            teflon * (phantom::kTeflonHu - phantom::kAirHu);
-          value = static_cast<float>(std::round(hu + noiseHu * draws.normal()));
+          double hu = phantom::kAirHu + silicone * (phantom::kSiliconeHu - phantom::kAirHu) +
+                      teflon * (phantom::kTeflonHu - phantom::kAirHu);
+          if (const auto bead = steel.find(ct.offset(i, j, k)); bead != steel.end())
+            hu += bead->second * (phantom::kSteelHu - phantom::kSiliconeHu);
+          value =
+              static_cast<float>(std::min(std::round(hu + noiseHu * draws.normal()), phantom::kLargestHu));
         }
       }
     });

@@ -5,7 +5,11 @@ namespace falciform {
 
 /// Hounsfield units of the phantom's materials at 120 kV: nominal values, air by definition.
 namespace phantom {
-inline constexpr double kAirHu = -1000, kSiliconeHu = 250, kTeflonHu = 950;
+inline constexpr double kAirHu = -1000, kSiliconeHu = 250, kTeflonHu = 950, kSteelHu = 20000;
+/// The largest value that a CT of 12 bits stores: steel is cut there.
+inline constexpr double kLargestHu = 3071;
+/// Above both plastics and below the least that a voxel next to a bead of 1 mm holds at voxels of 1.1 mm.
+inline constexpr double kBeadLevel = 1200;
 /// Half-way between air and silicone, and between air and Teflon: where their surfaces run.
 inline constexpr double kSiliconeLevel = 0.5 * (kAirHu + kSiliconeHu),
                         kTeflonLevel = 0.5 * (kAirHu + kTeflonHu);
@@ -14,7 +18,7 @@ inline constexpr int kSiliconeLabel = 1, kTeflonLabel = 2;
 }  // namespace phantom
 
 /// CT of the phantom, cubic voxels: each holds a weighted mean of what it sees (partial volume, one voxel's
-/// edge to either side) and normal noise, rounded to whole units as a CT stores them.
+/// edge to either side) and normal noise, rounded to whole units and cut at kLargestHu as a CT stores them.
 [[nodiscard]] Image imagePhantom(const PhantomBody& body, double voxelMm, double noiseHu, int seed,
                                  const Progress& progress = {});
 

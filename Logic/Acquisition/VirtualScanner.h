@@ -1,4 +1,5 @@
 #pragma once
+#include "Logic/Acquisition/ScanFaultSettings.h"
 #include "Logic/Core/Progress.h"
 #include "Logic/Core/Settings.h"
 #include "Logic/Core/Surface.h"
@@ -56,9 +57,17 @@ struct VirtualScan {
 /// at random by the seed. Throws InputError if nothing is seen.
 [[nodiscard]] VirtualScan scanSurface(const Surface& surface, const VirtualScannerSettings& settings,
                                       const Progress& progress = {});
-/// The same with the scanner aimed at `lookAt` (mm, in the surface's frame) instead of at the centroid.
+/// The same with the scanner aimed at `lookAt` (mm, in the surface's frame) instead of at the centroid, in an
+/// operating room: shadows, lost rays, smoke, instruments and cloth. What each point came from stands in the
+/// array "structure" (ScanScene.h) where there is more than the organ; coverage and patches are the organ's
+/// alone. Smoke keeps its stray points, which a clean scan leaves out.
 [[nodiscard]] VirtualScan scanSurface(const Surface& surface, const Vector3d& lookAt,
-                                      const VirtualScannerSettings& settings, const Progress& progress = {});
+                                      const VirtualScannerSettings& settings, const ScanFaultSettings& faults,
+                                      const Progress& progress = {});
+
+/// The noise of the thesis's scanner (RealScan 200C): 0.3 mm at 300 mm, 1.0 mm at 800 mm, linear between and
+/// on. The maker calls it "average deviation from planarity"; it is taken as standard deviation.
+[[nodiscard]] double rangeNoiseMm(double distanceMm);
 
 /// Unit vector from what the scanner looks at towards where it stands, in the surface's frame.
 [[nodiscard]] Vector3d towardsScanner(const VirtualScannerSettings& settings);

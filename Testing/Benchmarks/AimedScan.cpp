@@ -30,7 +30,7 @@ VirtualScan scanOne(const Station& station, const Surface& surface, double noise
   settings.noiseMm = noiseMm;
   settings.stride = stride;
   settings.seed = seed;
-  return scanSurface(surface, station.lookAt, settings);
+  return scanSurface(surface, station.lookAt, settings, {});
 }
 
 /// Cuts the window of the last station, to 1 %, so that all together see `share`; leaves it open if they do

@@ -24,7 +24,7 @@ TruthScan scanTruth(const Surface& moved, const ScannerPlan& plan) {
   double low = 0.1, high = 1;
   for (int halving = 0; halving < 8; ++halving) {
     scanner.windowShare = halving == 0 ? high : (low + high) / 2;
-    seen = scanSurface(moved, lookAt, scanner);
+    seen = scanSurface(moved, lookAt, scanner, {});
     if (halving == 0 && seen.coverage < plan.coverage) break;  // the whole view shows no more
     (seen.coverage < plan.coverage ? low : high) = scanner.windowShare;
   }

@@ -117,6 +117,34 @@ TEST(GrowRegion, LeavesANeighbourAlone) {
   EXPECT_LT((growRegion(image, there, kHalf, 1e5).centre - there).norm(), 0.01);
 }
 
+TEST(FindBodies, TakesThoseOfTheRightSizeAndNoOthers) {
+  const Matrix4d grid = cubic(1);
+  const Vector3d origin = grid.topRightCorner<3, 1>();
+  const std::vector<std::pair<Vector3d, double>> balls{{origin + Vector3d(9, 9, 9), 4},
+                                                       {origin + Vector3d(28.3, 11.7, 10.2), 5},
+                                                       {origin + Vector3d(20, 25, 27), 9}};
+  const Image image = volume(grid, [&](const Vector3d& index) {
+    double share = 0;
+    for (const auto& [centre, radius] : balls) share += ballShare(grid, index, centre, radius);
+    return share;
+  });
+  const auto found = findBodies(image, kHalf, 200, 700);  // balls of 268, 524 and 3054 mm3
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_LT((found[0].centre - balls[1].first).norm() * (found[0].centre - balls[0].first).norm(), 0.2);
+  for (const GrownRegion& body : found) {
+    const double nearest =
+        std::min((body.centre - balls[0].first).norm(), (body.centre - balls[1].first).norm());
+    EXPECT_LT(nearest, 0.01);  // mm
+    // From any seed in it, the same body.
+    const GrownRegion grown = growRegion(image, body.centre, kHalf, 1e5);
+    EXPECT_LT((grown.centre - body.centre).norm(), 1e-9);
+    EXPECT_EQ(grown.voxels, body.voxels);
+  }
+  EXPECT_EQ(findBodies(image, kHalf, 0, 1e5).size(), 3u);
+  EXPECT_TRUE(findBodies(image, 2000, 0, 1e5).empty());
+  EXPECT_EQ(findBodies(image, kAir - 1, 0, 1e9).size(), 1u);  // all of it
+}
+
 TEST(GrowRegion, SaysWhatIsWrongWithASeed) {
   const Vector3d centre = cubic(1).topRightCorner<3, 1>() + Vector3d(20, 20, 20);
   const Image image = ball(cubic(1), centre, 8);
