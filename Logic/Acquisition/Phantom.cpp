@@ -58,13 +58,8 @@ void colour(Surface& scan) {
 
 /// The liver's points of the whole view, and the patches drawn on them.
 Surface liverOf(const Surface& wholeView, const LiverShape& liver, const Isometry3d& preopFromScan) {
-  std::vector<int> ids;
-  const auto source = wholeView.arrays.find(structure::kArray);
-  for (Index i = 0; i < wholeView.size(); ++i)
-    if (wholeView.patchAt(i) == patch::kNone &&
-        (source == wholeView.arrays.end() || source->second[i] == structure::kOrgan))
-      ids.push_back(static_cast<int>(i));
-  Surface scan = subset(wholeView, ids);
+  const Surface organ = organOf(wholeView);
+  Surface scan = subset(organ, pointsOfPatch(organ, patch::kNone));
   scan.patchNames.clear();
   scan.patch = paintPhantomScan(liver, transformed(scan.points, preopFromScan));
   return scan;

@@ -8,6 +8,7 @@
 #include "Logic/Acquisition/TissueColour.h"
 #include "Logic/Core/Draws.h"
 #include "Logic/Geometry/Measures.h"
+#include "Logic/Geometry/Topology.h"
 #include "Logic/Geometry/TriangleTree.h"
 
 namespace falciform {
@@ -128,6 +129,21 @@ ScanScene makeScanScene(const Surface& organ, const ScannerView& view, const Sca
   }
   if (faults.drape) addDrape(scene, view, middle, 1.6 * reach, Draws(seed, 21));
   return scene;
+}
+
+bool hasRoom(const ScanFaultSettings& faults) {
+  return faults.drape || faults.instruments > 0 || faults.smoke > 0;
+}
+
+Surface organOf(const Surface& scan) {
+  const auto source = scan.arrays.find(structure::kArray);
+  if (source == scan.arrays.end()) return scan;
+  std::vector<int> ids;
+  for (Index i = 0; i < scan.size(); ++i)
+    if (source->second[i] == structure::kOrgan) ids.push_back(static_cast<int>(i));
+  Surface organ = subset(scan, ids);
+  organ.arrays.erase(structure::kArray);
+  return organ;
 }
 
 std::array<std::uint8_t, 3> sceneColour(int structure, const Vector3d& place, int patchLabel) {

@@ -24,6 +24,13 @@ struct ScanScene {
 [[nodiscard]] ScanScene makeScanScene(const Surface& organ, const ScannerView& view,
                                       const ScanFaultSettings& faults);
 
+/// Whether the faults put anything into the scan that is not the organ.
+[[nodiscard]] bool hasRoom(const ScanFaultSettings& faults);
+
+/// The points of a scan that come from the organ, with the triangles between them; the whole scan where it
+/// says nothing of where its points come from.
+[[nodiscard]] Surface organOf(const Surface& scan);
+
 /// How the camera sees what is there: the organ as tissueColour(), blue-green cloth, grey steel, pale smoke.
 [[nodiscard]] std::array<std::uint8_t, 3> sceneColour(int structure, const Vector3d& place, int patchLabel);
 

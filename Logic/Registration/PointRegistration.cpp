@@ -7,6 +7,7 @@
 #include <set>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Core/LandmarkPairs.h"
 #include "Logic/Core/Surface.h"
 
 namespace falciform {
@@ -42,13 +43,6 @@ bool sameNames(const Landmarks& a, const Landmarks& b) {
   for (const Landmark& p : a.points) namesA.insert(p.name);
   for (const Landmark& p : b.points) namesB.insert(p.name);
   return namesA == namesB && namesA.size() == a.points.size() && !namesA.contains("");
-}
-
-Points positionsOf(const Landmarks& landmarks) {
-  Points points(static_cast<Index>(landmarks.points.size()), 3);
-  for (Index i = 0; i < points.rows(); ++i)
-    points.row(i) = landmarks.points[static_cast<std::size_t>(i)].position.transpose();
-  return points;
 }
 
 /// Standard deviations along the principal axes, largest first, mm.

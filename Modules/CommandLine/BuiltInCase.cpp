@@ -2,6 +2,9 @@
 
 #include <random>
 
+#include "Logic/Acquisition/ScanScene.h"
+#include "Logic/Geometry/Measures.h"
+
 namespace falciform::commandline {
 
 namespace {
@@ -42,7 +45,12 @@ BuiltInCase makeBuiltInCase(const BuiltInCaseSettings& settings, const Progress&
                                      ? packLiver(made.liver, settings.packing, progress.part(0.8, 0.9))
                                      : deformSynthetic(made.liver, settings.deformation);
   progress.report(0.9, "Scanning");
-  made.scan = scanSurface(changed.surface, settings.scanner, progress.part(0.9, 1.0));
+  made.scan = scanSurface(changed.surface, centroid(changed.surface.points), settings.scanner,
+                          settings.faults, progress.part(0.9, 1.0));
+  if (hasRoom(settings.faults)) {
+    made.rawScan = made.scan.scan;
+    made.scan.scan = organOf(made.rawScan);
+  }
   made.truthTargets = seenByScanner(changed.targets, made.scan);
   made.scanLandmarks = seenByScanner(changed.anatomical, made.scan);
   std::mt19937_64 random(static_cast<std::uint64_t>(settings.touch.seed));

@@ -27,6 +27,7 @@ void describe(TouchSettings& s, Visitor&& field) {
 struct BuiltInCaseSettings {
   SyntheticLiverSettings liver;
   VirtualScannerSettings scanner;
+  ScanFaultSettings faults;
   SyntheticDeformationSettings deformation;
   PackingSettings packing;  ///< above 0 mm: instead of the deformation
   TouchSettings touch;
@@ -38,6 +39,7 @@ struct BuiltInCase {
   LabelMap labelMap;
   Image ct;                 ///< on its grid, of even tissues, Hounsfield units
   VirtualScan scan;         ///< of the deformed liver, in the scanner's frame
+  Surface rawScan;          ///< what the scanner saw of the room with it; empty in an empty room
   Landmarks scanLandmarks;  ///< the anatomical landmarks as touched, scan mm
   Landmarks truthTargets;   ///< liver.targets where they truly are, scan mm
 };
@@ -46,8 +48,9 @@ struct BuiltInCase {
 [[nodiscard]] BuiltInCase makeBuiltInCase(const BuiltInCaseSettings& settings, const Progress& progress = {});
 
 /// The files of a case folder: case.json, label map, painted surface, scan, landmarks, structures, targets,
-/// truth.
-[[nodiscard]] std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path& folder);
+/// truth; with a room also the raw scan.
+[[nodiscard]] std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path& folder,
+                                                                  const ScanFaultSettings& faults);
 /// Writes them, announced before, so that `falciform run FOLDER` works.
 void writeBuiltInCase(const BuiltInCase& made, const std::filesystem::path& folder, const Outputs& outputs);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "Logic/Acquisition/ScanScene.h"
 #include "Logic/IO/CaseFolder.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
@@ -11,6 +12,8 @@
 namespace falciform::commandline {
 
 namespace {
+
+constexpr char kRawScan[] = "scan_raw.vtp";
 
 /// Names of the structures are known before they are made.
 const std::vector<std::string> kStructures{"hepatic vein", "portal vein", "tumour 1", "tumour 2"};
@@ -42,12 +45,14 @@ CaseDescription describeBuiltInCase(const BuiltInCase& made, const std::filesyst
 
 }  // namespace
 
-std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path& folder,
+                                                    const ScanFaultSettings& faults) {
   std::vector<std::filesystem::path> files;
   for (const char* name : {"case.json", "ct.nii.gz", "labelmap.nii.gz", "preop_painted.vtp", "scan.vtp",
                            "preop_landmarks.mrk.json", "scan_landmarks.mrk.json", "targets.mrk.json",
                            "truth_targets.mrk.json", "truth_scan_from_preop.tfm"})
     files.push_back(folder / name);
+  if (hasRoom(faults)) files.push_back(folder / kRawScan);
   for (const std::string& name : kStructures) files.push_back(folder / structureFile(name));
   return files;
 }
@@ -59,6 +64,7 @@ void writeBuiltInCase(const BuiltInCase& made, const std::filesystem::path& fold
   writeLabelMap(at("labelmap.nii.gz"), made.labelMap, replace);
   writeSurface(at("preop_painted.vtp"), made.liver.surface, replace);
   writeSurface(at("scan.vtp"), made.scan.scan, replace);
+  if (made.rawScan.size() > 0) writeSurface(at(kRawScan), made.rawScan, replace);
   writeLandmarks(at("preop_landmarks.mrk.json"), made.liver.anatomical, replace);
   writeLandmarks(at("scan_landmarks.mrk.json"), made.scanLandmarks, replace);
   writeLandmarks(at("targets.mrk.json"), made.liver.targets, replace);

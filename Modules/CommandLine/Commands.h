@@ -30,6 +30,8 @@ struct Command {
 [[nodiscard]] Command atlasBuildCommand();
 [[nodiscard]] Command atlasInfoCommand();
 [[nodiscard]] Command updateCommand();
+[[nodiscard]] Command locateCommand();
+[[nodiscard]] Command fiducialsCommand();
 [[nodiscard]] Command infoCommand();
 
 /// All of them, in the order of the work.

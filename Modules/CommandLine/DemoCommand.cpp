@@ -23,7 +23,7 @@ void declare(Syntax& syntax) {
 void execute(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path folder = arguments.path("out"), caseFolder = folder / "case",
                               results = folder / "results";
-  for (const auto& file : builtInCaseFiles(caseFolder)) run.outputs.announce(file);
+  for (const auto& file : builtInCaseFiles(caseFolder, {})) run.outputs.announce(file);
   for (const auto& file : caseResultFiles(results)) run.outputs.announce(file);
   BuiltInCaseSettings made;
   // Bent as an operation bends it, on other elements of another surface than the update's, which are made

@@ -5,6 +5,7 @@
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Biomechanics/MeshPlaces.h"
 #include "Logic/Biomechanics/SupportTemplates.h"
+#include "Logic/Core/LandmarkPairs.h"
 #include "Logic/Geometry/Measures.h"
 
 namespace falciform::commandline {
@@ -24,9 +25,7 @@ class Carrier {
     if (surface.normals.rows() > 0) surface.normals = vertexNormals(surface);
   }
   void move(Landmarks& landmarks) const {
-    Points places(static_cast<Index>(landmarks.points.size()), 3);
-    for (Index i = 0; i < places.rows(); ++i)
-      places.row(i) = landmarks.points[static_cast<std::size_t>(i)].position.transpose();
+    Points places = positionsOf(landmarks);
     move(places);
     for (Index i = 0; i < places.rows(); ++i)
       landmarks.points[static_cast<std::size_t>(i)].position = places.row(i).transpose();

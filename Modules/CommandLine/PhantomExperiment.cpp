@@ -1,5 +1,6 @@
 #include "Modules/CommandLine/PhantomExperiment.h"
 
+#include "Logic/Core/LandmarkPairs.h"
 #include "Logic/Patches/PatchTransfer.h"
 
 namespace falciform::commandline {
@@ -8,15 +9,8 @@ namespace {
 
 constexpr double kPatchRadiusMm = 3;  // thesis ch. III
 
-Points positions(const Landmarks& landmarks) {
-  Points points(static_cast<Index>(landmarks.points.size()), 3);
-  for (Index i = 0; i < points.rows(); ++i)
-    points.row(i) = landmarks.points[static_cast<std::size_t>(i)].position.transpose();
-  return points;
-}
-
 VectorXd between(const Landmarks& a, const Landmarks& b) {
-  return (positions(a) - positions(b)).rowwise().norm();
+  return (positionsOf(a) - positionsOf(b)).rowwise().norm();
 }
 
 nlohmann::json counts(const Surface& surface) {
@@ -42,8 +36,14 @@ PhantomExperiment makePhantomExperiment(const PhantomPlan& plan, const Progress&
       transferPatches(transformed(made.scan, preopFromScan, done.preop.frame), done.preop, kPatchRadiusMm);
   done.sphereErrorCtMm = between(made.spheresCt, made.trueSpheresCt);
   done.sphereErrorScanMm = between(made.spheresScan, made.trueSpheresScan);
+  if (!made.beadsCt.points.empty()) {
+    const Points found = positionsOf(made.beadsCt), beads = positionsOf(made.targets);
+    done.beadErrorMm.resize(beads.rows());
+    for (Index b = 0; b < beads.rows(); ++b)
+      done.beadErrorMm[b] = (found.rowwise() - beads.row(b)).rowwise().norm().minCoeff();
+  }
   done.goldTargetErrorMm = phantomTargetErrors(made, done.gold.targetFromSource);
-  const Points spheres = positions(made.spheresCt), targets = positions(made.targets);
+  const Points spheres = positionsOf(made.spheresCt), targets = positionsOf(made.targets);
   done.predictedTargetErrorMm.resize(targets.rows());
   for (Index i = 0; i < targets.rows(); ++i)
     done.predictedTargetErrorMm[i] =
@@ -53,7 +53,7 @@ PhantomExperiment makePhantomExperiment(const PhantomPlan& plan, const Progress&
 }
 
 VectorXd phantomTargetErrors(const PhantomCase& made, const Isometry3d& scanFromPreop) {
-  return targetErrors(positions(made.targets), positions(made.trueTargets), scanFromPreop);
+  return targetErrors(positionsOf(made.targets), positionsOf(made.trueTargets), scanFromPreop);
 }
 
 nlohmann::json phantomFigures(const PhantomExperiment& experiment) {
@@ -66,16 +66,21 @@ nlohmann::json phantomFigures(const PhantomExperiment& experiment) {
                        {"scan_error_mm", experiment.sphereErrorScanMm[i]},
                        {"fre_mm", experiment.gold.freByPointMm[i]}});
   }
-  return {{"preop", counts(experiment.preop)},
-          {"scan", counts(made.scan)},
-          {"scan_subregion", counts(made.subRegion)},
-          {"spheres", spheres},
-          {"fre_mm", experiment.gold.freMm},
-          {"fle_estimate_mm", experiment.gold.fleEstimateMm},
-          {"ct_localisation_error", errors(experiment.sphereErrorCtMm)},
-          {"scan_localisation_error", errors(experiment.sphereErrorScanMm)},
-          {"gold_target_error", errors(experiment.goldTargetErrorMm)},
-          {"predicted_target_error", errors(experiment.predictedTargetErrorMm)}};
+  nlohmann::json figures{{"preop", counts(experiment.preop)},
+                         {"scan", counts(made.scan)},
+                         {"scan_subregion", counts(made.subRegion)},
+                         {"spheres", spheres},
+                         {"fre_mm", experiment.gold.freMm},
+                         {"fle_estimate_mm", experiment.gold.fleEstimateMm},
+                         {"ct_localisation_error", errors(experiment.sphereErrorCtMm)},
+                         {"scan_localisation_error", errors(experiment.sphereErrorScanMm)},
+                         {"gold_target_error", errors(experiment.goldTargetErrorMm)},
+                         {"predicted_target_error", errors(experiment.predictedTargetErrorMm)}};
+  if (experiment.beadErrorMm.size() > 0) {
+    figures["beads_found"] = made.beadsCt.points.size();
+    figures["bead_localisation_error"] = errors(experiment.beadErrorMm);
+  }
+  return figures;
 }
 
 }  // namespace falciform::commandline

@@ -21,6 +21,7 @@ struct PhantomExperiment {
   /// Point-based registration of the seven spheres as located: scanFromPreop, FRE.
   PointRegistrationResult gold;
   VectorXd sphereErrorCtMm, sphereErrorScanMm;  ///< located against true, by sphere
+  VectorXd beadErrorMm;                         ///< of each true bead, to the nearest found in the CT
   VectorXd goldTargetErrorMm;                   ///< of the gold standard against the truth, by target
   VectorXd predictedTargetErrorMm;              ///< expected from FRE alone, by target
 };
@@ -31,7 +32,8 @@ struct PhantomExperiment {
 [[nodiscard]] VectorXd phantomTargetErrors(const PhantomCase& made, const Isometry3d& scanFromPreop);
 
 /// The files of an experiment's folder; `falciform run FOLDER` takes it.
-[[nodiscard]] std::vector<std::filesystem::path> phantomFiles(const std::filesystem::path& folder);
+[[nodiscard]] std::vector<std::filesystem::path> phantomFiles(const std::filesystem::path& folder,
+                                                              const PhantomPlan& plan);
 /// Writes them, announced before.
 void writePhantom(const PhantomExperiment& experiment, const std::filesystem::path& folder,
                   const Outputs& outputs);

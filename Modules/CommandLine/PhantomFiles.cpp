@@ -27,7 +27,8 @@ CaseDescription describePhantom(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> phantomFiles(const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> phantomFiles(const std::filesystem::path& folder,
+                                                const PhantomPlan& plan) {
   std::vector<std::filesystem::path> files;
   for (const char* name :
        {"case.json", "ct.nii.gz", "labelmap.nii.gz", "preop.vtp", "scan.vtp", "scan_subregion.vtp",
@@ -35,6 +36,7 @@ std::vector<std::filesystem::path> phantomFiles(const std::filesystem::path& fol
         "truth_spheres_scan.mrk.json", "targets.mrk.json", "truth_targets.mrk.json",
         "gold_scan_from_preop.tfm", "truth_scan_from_preop.tfm"})
     files.push_back(folder / name);
+  if (plan.phantom.beads > 0) files.push_back(folder / "beads_ct.mrk.json");
   return files;
 }
 
@@ -53,6 +55,7 @@ void writePhantom(const PhantomExperiment& experiment, const std::filesystem::pa
   writeLandmarks(at("spheres_scan.mrk.json"), made.spheresScan, replace);
   writeLandmarks(at("truth_spheres_ct.mrk.json"), made.trueSpheresCt, replace);
   writeLandmarks(at("truth_spheres_scan.mrk.json"), made.trueSpheresScan, replace);
+  if (experiment.plan.phantom.beads > 0) writeLandmarks(at("beads_ct.mrk.json"), made.beadsCt, replace);
   writeLandmarks(at("targets.mrk.json"), made.targets, replace);
   writeLandmarks(at("truth_targets.mrk.json"), made.trueTargets, replace);
   writeTransform(at("gold_scan_from_preop.tfm"), experiment.gold.targetFromSource,

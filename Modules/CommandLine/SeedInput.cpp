@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Core/LandmarkPairs.h"
 
 namespace falciform::commandline {
 
@@ -26,27 +27,42 @@ Vector3d placeOf(const std::string& text, const std::string& all) {
     at = next;
   }
   skip();
-  if (!good || at != end)
-    throw InputError("--seed is '" + all + "'; give places in patient LPS mm as x,y,z;x,y,z");
+  if (!good || at != end) throw InputError("--seed is '" + all + "'; give places in mm as x,y,z;x,y,z");
   return place;
 }
 
 }  // namespace
 
-Points seedsOf(const ParsedArguments& arguments, CommandRun& run) {
-  std::vector<Vector3d> places;
+void declareSeeds(Syntax& syntax, const std::string& group, const std::string& what) {
+  syntax.add({.name = "seed",
+              .kind = ArgumentKind::Text,
+              .label = "Seeds",
+              .help = what + ": x,y,z;x,y,z;...",
+              .group = group});
+  syntax.add({.name = "seeds",
+              .kind = ArgumentKind::Points,
+              .label = "Seed points",
+              .help = "The same from a file, .mrk.json or .fcsv; after those of --seed.",
+              .group = group});
+}
+
+Landmarks seedPointsOf(const ParsedArguments& arguments, CommandRun& run) {
+  Landmarks seeds;
   const std::string text = arguments.text("seed");
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find(';', begin), text.size());
-    if (end > begin) places.push_back(placeOf(text.substr(begin, end - begin), text));
+    if (end > begin)
+      seeds.points.push_back({"click " + std::to_string(seeds.points.size() + 1),
+                              placeOf(text.substr(begin, end - begin), text)});
     begin = end + 1;
   }
   if (arguments.has("seeds"))
-    for (const Landmark& point : run.landmarks(arguments.path("seeds")).points)
-      places.push_back(point.position);
-  Points seeds(static_cast<Index>(places.size()), 3);
-  for (std::size_t s = 0; s < places.size(); ++s) seeds.row(static_cast<Index>(s)) = places[s].transpose();
+    for (const Landmark& point : run.landmarks(arguments.path("seeds")).points) seeds.points.push_back(point);
   return seeds;
+}
+
+Points seedsOf(const ParsedArguments& arguments, CommandRun& run) {
+  return positionsOf(seedPointsOf(arguments, run));
 }
 
 }  // namespace falciform::commandline

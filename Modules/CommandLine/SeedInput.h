@@ -4,7 +4,13 @@
 
 namespace falciform::commandline {
 
-/// The seeds of --seed, then those of the file of --seeds; patient LPS mm. Throws InputError if a text is no
+/// Declares --seed and --seeds; `what` says what is clicked at, and in which frame.
+void declareSeeds(Syntax& syntax, const std::string& group, const std::string& what);
+
+/// The same as seedsOf with names: "click 1" and up, and the file's own.
+[[nodiscard]] Landmarks seedPointsOf(const ParsedArguments& arguments, CommandRun& run);
+
+/// The seeds of --seed, then those of the file of --seeds; mm. Throws InputError if a text is no
 /// list of places.
 [[nodiscard]] Points seedsOf(const ParsedArguments& arguments, CommandRun& run);
 

@@ -23,18 +23,9 @@ void declare(Syntax& syntax) {
               .positional = true,
               .group = group});
   declareSeries(syntax, group, "that is the CT");
-  syntax.add({.name = "seed",
-              .kind = Text,
-              .label = "Seeds",
-              .help =
-                  "Clicks in the organ, patient LPS mm: x,y,z;x,y,z;... The first lies in the organ's own "
-                  "tissue; one in unlike tissue (a tumour) grows with its own brightness.",
-              .group = group});
-  syntax.add({.name = "seeds",
-              .kind = Points,
-              .label = "Seed points",
-              .help = "The same from a file, .mrk.json or .fcsv; after those of --seed.",
-              .group = group});
+  declareSeeds(syntax, group,
+               "Clicks in the organ, patient LPS mm. The first lies in the organ's own tissue; one in unlike "
+               "tissue (a tumour) grows with its own brightness");
   syntax.add(
       {.name = "continue",
        .kind = LabelMap,

@@ -35,6 +35,7 @@ void declare(Syntax& syntax) {
   syntax.addSettings(PackingSettings{}, kDeformationGroup);
   syntax.addSettings(TouchSettings{}, kDeformationGroup);
   syntax.addSettings(VirtualScannerSettings{}, "Scanner");
+  syntax.addSettings(ScanFaultSettings{}, "Operating room");
   syntax.addSettings(PhantomSettings{}, kPhantomGroup);
 }
 
@@ -48,19 +49,19 @@ void refuseGroup(const ParsedArguments& arguments, const std::string& group, con
 
 void makeLiver(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path folder = arguments.path("out"), sidecar = folder / "synthesise.json";
-  for (const auto& file : builtInCaseFiles(folder)) run.outputs.announce(file);
-  run.outputs.announce(sidecar);
   BuiltInCaseSettings settings;
+  settings.faults = arguments.settings(settings.faults);
+  for (const auto& file : builtInCaseFiles(folder, settings.faults)) run.outputs.announce(file);
+  run.outputs.announce(sidecar);
   settings.liver = arguments.settings(settings.liver);
   settings.deformation = arguments.settings(settings.deformation);
   settings.packing = arguments.settings(settings.packing);
   settings.touch = arguments.settings(settings.touch);
   settings.scanner = arguments.settings(settings.scanner);
-  run.settings = {{"liver", settingsToJson(settings.liver)},
-                  {"deformation", settingsToJson(settings.deformation)},
-                  {"packing", settingsToJson(settings.packing)},
-                  {"landmarks", settingsToJson(settings.touch)},
-                  {"scanner", settingsToJson(settings.scanner)}};
+  run.settings = {
+      {"liver", settingsToJson(settings.liver)},     {"deformation", settingsToJson(settings.deformation)},
+      {"packing", settingsToJson(settings.packing)}, {"landmarks", settingsToJson(settings.touch)},
+      {"scanner", settingsToJson(settings.scanner)}, {"room", settingsToJson(settings.faults)}};
   const BuiltInCase made = makeBuiltInCase(settings, run.progress.part(0, 0.9));
   run.frames = {{"ct.nii.gz, labelmap.nii.gz, preop_painted.vtp, structures, targets", "patient LPS, mm"},
                 {"scan.vtp, scan_landmarks, truth_targets", "scanner, mm"},
@@ -78,17 +79,19 @@ void makeLiver(const ParsedArguments& arguments, CommandRun& run) {
 
 void makePhantom(const ParsedArguments& arguments, CommandRun& run) {
   const std::filesystem::path folder = arguments.path("out"), sidecar = folder / "synthesise.json";
-  for (const auto& file : phantomFiles(folder)) run.outputs.announce(file);
-  for (const auto& file : phantomPictures(folder)) run.outputs.announce(file);
-  run.outputs.announce(sidecar);
   PhantomPlan plan = thesisPhantom();
   plan.liver = arguments.settings(plan.liver);
   plan.scanner = arguments.settings(plan.scanner);
   plan.phantom = arguments.settings(plan.phantom);
+  plan.faults = arguments.settings(plan.faults);
+  for (const auto& file : phantomFiles(folder, plan)) run.outputs.announce(file);
+  for (const auto& file : phantomPictures(folder)) run.outputs.announce(file);
+  run.outputs.announce(sidecar);
   run.settings = {{"kind", "phantom"},
                   {"liver", settingsToJson(plan.liver)},
                   {"scanner", settingsToJson(plan.scanner)},
-                  {"phantom", settingsToJson(plan.phantom)}};
+                  {"phantom", settingsToJson(plan.phantom)},
+                  {"room", settingsToJson(plan.faults)}};
   const PhantomExperiment made = makePhantomExperiment(plan, run.progress.part(0, 0.8));
   run.frames = {{"ct.nii.gz, labelmap.nii.gz, preop.vtp, spheres_ct, targets", "patient LPS, mm"},
                 {"scan*.vtp, spheres_scan, truth_targets", "scanner, mm"},
@@ -108,6 +111,10 @@ void makePhantom(const ParsedArguments& arguments, CommandRun& run) {
   run.say("spheres: FRE " + fixed(made.gold.freMm, 3) + " mm; located within " +
           fixed(made.sphereErrorCtMm.maxCoeff(), 3) + " mm in the CT, " +
           fixed(made.sphereErrorScanMm.maxCoeff(), 3) + " mm in the scan");
+  if (made.beadErrorMm.size() > 0)
+    run.say("beads in the CT: " + std::to_string(made.made.beadsCt.points.size()) + " of " +
+            std::to_string(made.beadErrorMm.size()) + ", mean " + fixed(made.beadErrorMm.mean(), 3) +
+            " mm, largest " + fixed(made.beadErrorMm.maxCoeff(), 3) + " mm");
   run.say("gold standard: target error mean " + fixed(made.goldTargetErrorMm.mean(), 3) + " mm, largest " +
           fixed(made.goldTargetErrorMm.maxCoeff(), 3) + " mm; expected " +
           fixed(made.predictedTargetErrorMm.mean(), 3) + " mm");

@@ -1,5 +1,6 @@
 #include "Modules/CommandLine/ToolTips.h"
 
+#include "Logic/Core/LandmarkPairs.h"
 #include "Logic/IO/HeaderText.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Modules/CommandLine/Arguments.h"
@@ -50,10 +51,7 @@ std::vector<std::string> toolTipFiles() { return {"tool_tips_preop.mrk.json", "t
 void writeToolTips(const fs::path& file, const UpdateMap& map, const std::string& preopFrame,
                    const fs::path& folder, CommandRun& run) {
   const Landmarks tips = readTips(file, run);
-  Points scan(static_cast<Index>(tips.points.size()), 3);
-  for (Index i = 0; i < scan.rows(); ++i)
-    scan.row(i) = tips.points[static_cast<std::size_t>(i)].position.transpose();
-  const std::vector<PreopPlace> places = map.preopFromScan(scan);
+  const std::vector<PreopPlace> places = map.preopFromScan(positionsOf(tips));
   std::size_t inside = 0;
   Landmarks before;
   before.frame = preopFrame;

@@ -3,6 +3,7 @@
 #include "Logic/Atlas/ScanNext.h"
 #include "Logic/Atlas/UpdateConfidence.h"
 #include "Logic/Atlas/UpdatedPlaces.h"
+#include "Logic/Core/LandmarkPairs.h"
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/OutputFile.h"
 #include "Logic/IO/SurfaceFiles.h"
@@ -29,17 +30,10 @@ falciform::Surface movedSurface(const UpdatedLiver& liver, falciform::Surface su
   return surface;
 }
 
-falciform::Points targetPlaces(const Landmarks& targets) {
-  falciform::Points places(static_cast<Index>(targets.points.size()), 3);
-  for (Index i = 0; i < places.rows(); ++i)
-    places.row(i) = targets.points[static_cast<std::size_t>(i)].position.transpose();
-  return places;
-}
-
 void writeTargets(const UpdatedLiver& liver, const fs::path& file) {
   Landmarks updated = liver.input.targets;
   updated.frame = liver.input.scan.frame;
-  const falciform::Points places = targetPlaces(updated);
+  const falciform::Points places = positionsOf(updated);
   const falciform::Points now = scanFromPreop(liver.liver.mesh, liver.update, places);
   for (Index i = 0; i < places.rows(); ++i)
     updated.points[static_cast<std::size_t>(i)].position = now.row(i).transpose();
@@ -65,7 +59,7 @@ UpdatedLiver updatedLiver(const LiverInput& liver, const UpdateInput& input, con
   if (model != nullptr) {
     updated.moved.arrays[kExpectedError] = expectedErrorOnSurface(*model, update, liver.surface.points);
     updated.moved.arrays[kScanGain] =
-        scanGainOnSurface(*model, update, targetPlaces(input.targets), liver.surface.points);
+        scanGainOnSurface(*model, update, positionsOf(input.targets), liver.surface.points);
   }
   updated.targetError = targetErrorOf(updated);
   updated.targets = targetRows(updated);

@@ -1,6 +1,7 @@
 #include "Testing/Benchmarks/BentLivers.h"
 
 #include <stdexcept>
+#include "Logic/Core/LandmarkPairs.h"
 
 #include "Logic/Acquisition/SyntheticDeformation.h"
 #include "Logic/Registration/PointRegistration.h"
@@ -13,13 +14,6 @@ constexpr std::size_t kLeastPatchPoints = 30;
 constexpr int kViews = 50;           // drawn at most
 constexpr int kAimStride = 3;        // while aiming
 constexpr double kVariation = 0.15;  // of the shape
-
-Points positions(const Landmarks& landmarks) {
-  Points points(static_cast<Index>(landmarks.points.size()), 3);
-  for (Index i = 0; i < points.rows(); ++i)
-    points.row(i) = landmarks.points[static_cast<std::size_t>(i)].position.transpose();
-  return points;
-}
 
 SyntheticLiver drawLiver(int seed, double edgeLengthMm) {
   SyntheticLiverSettings shape;
@@ -59,8 +53,8 @@ BenchCase BentLiver::seen(const std::vector<Station>& stations, double noiseMm, 
   c.name = "bent liver " + std::to_string(seed_);
   c.preop = before_.surface;
   c.scan = std::move(scan.scan);
-  c.targetsPreop = positions(before_.targets);
-  c.targetsScan = transformed(positions(after_.targets), scan.scanFromPreop);
+  c.targetsPreop = positionsOf(before_.targets);
+  c.targetsScan = transformed(positionsOf(after_.targets), scan.scanFromPreop);
   c.bestRigid = fitRigid(c.targetsPreop, c.targetsScan);
   c.optimalMm = targetErrorMm(c, c.bestRigid);
   c.limitMm = 1.4 * c.optimalMm + 1;

@@ -11,6 +11,7 @@
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Biomechanics/MeshPlaces.h"
 #include "Logic/Biomechanics/SupportTemplates.h"
+#include "Logic/Core/LandmarkPairs.h"
 #include "Testing/Benchmarks/Truths/TruthBody.h"
 #include "Testing/Support/TemporaryFolder.h"
 
@@ -23,13 +24,6 @@ constexpr double kReachMm = 100;  // of the drawn pose of a CT surface
 void keepStripe(Surface& surface) {
   for (int& label : surface.patch)
     if (label != patch::kFalciform) label = patch::kNone;
-}
-
-Points placesOf(const Landmarks& landmarks) {
-  Points places(static_cast<Index>(landmarks.points.size()), 3);
-  for (Index i = 0; i < places.rows(); ++i)
-    places.row(i) = landmarks.points[static_cast<std::size_t>(i)].position.transpose();
-  return places;
 }
 
 Material silicone() {
@@ -71,7 +65,7 @@ PackedPhantom seen(const PackedPhantoms& made, const TetrahedralMesh& mesh, cons
   Surface moved = made.preop;
   moved.points += Points(MeshPlaces(mesh, moved.points).interpolate(state.displacements));
   moved.normals.resize(0, 3);
-  const Points before = placesOf(made.beads),
+  const Points before = positionsOf(made.beads),
                after = before + Points(MeshPlaces(mesh, before).interpolate(state.displacements));
   packed.before = figuresOf(before, after);
   packed.minDetJ = state.minDetJ;
