@@ -50,16 +50,9 @@ Landmarks located(const Landmarks& truth, double clickErrorMm, double longestMm,
   return found;
 }
 
-/// White Teflon; the silicone has no ligament painted on, so its colour is that of one tissue all over.
-void colour(Surface& scan) {
-  for (Index i = 0; i < scan.size(); ++i)
-    if (scan.patchAt(i) >= patch::kFirstNamed) scan.colours.row(i) << 236, 236, 230;
-}
-
 /// The liver's points of the whole view, and the patches drawn on them.
 Surface liverOf(const Surface& wholeView, const LiverShape& liver, const Isometry3d& preopFromScan) {
-  const Surface organ = organOf(wholeView);
-  Surface scan = subset(organ, pointsOfPatch(organ, patch::kNone));
+  Surface scan = organOf(wholeView);
   scan.patchNames.clear();
   scan.patch = paintPhantomScan(liver, transformed(scan.points, preopFromScan));
   return scan;
@@ -135,7 +128,6 @@ PhantomCase makePhantomCase(const PhantomPlan& plan, const Progress& progress) {
   VirtualScan seen = scanSurface(mesh, middleOf(liver), plan.scanner, plan.faults, progress.part(0.8, 1));
   made.scanFromPreop = seen.scanFromPreop;
   made.wholeView = std::move(seen.scan);
-  colour(made.wholeView);
   made.scan = liverOf(made.wholeView, liver, made.scanFromPreop.inverse());
   made.subRegion = subset(
       made.scan, surgicalSubRegion(liver, transformed(made.scan.points, made.scanFromPreop.inverse())));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "Logic/Acquisition/ScanScene.h"
+
 namespace falciform {
 namespace {
 
@@ -83,6 +85,9 @@ Surface meshPhantom(const PhantomBody& body, double edgeLengthMm, const Progress
   all.points.conservativeResize(liverPoints + count * sphere.size(), 3);
   all.triangles.conservativeResize(liverTriangles + count * sphere.triangles.rows(), 3);
   all.patch.assign(static_cast<std::size_t>(all.size()), patch::kNone);
+  VectorXd& source = all.arrays[structure::kArray];
+  source = VectorXd::Constant(all.size(), structure::kTeflon);
+  source.head(liverPoints).setConstant(structure::kOrgan);
   for (Index s = 0; s < count; ++s) {
     const Index first = liverPoints + s * sphere.size();
     const int label = patch::kFirstNamed + static_cast<int>(s);

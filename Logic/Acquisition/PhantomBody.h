@@ -31,7 +31,8 @@ inline constexpr double kBeadRadiusMm = 0.5;
                                        const VirtualScannerSettings& scanner);
 
 /// What the scanner's rays may hit: the liver with edges of `edgeLengthMm`, label 0, and the spheres, finer,
-/// labelled patch::kFirstNamed and up, named "sphere 1" and up.
+/// labelled patch::kFirstNamed and up, named "sphere 1" and up. The array "structure" (ScanScene.h) says
+/// which is which.
 [[nodiscard]] Surface meshPhantom(const PhantomBody& body, double edgeLengthMm,
                                   const Progress& progress = {});
 

@@ -7,10 +7,11 @@ namespace falciform {
 struct ScanFaultSettings {
   double baselineMm = 0;             ///< from camera to laser; what either does not see is in the shadow
   bool noiseGrowsWithRange = false;  ///< as the RealScan's does; the stated noise is then that at the middle
-  double dropout = 0;   ///< chance that a ray at the grazing limit is lost; 0 where it meets head-on
-  double smoke = 0;     ///< share of the rays that return from smoke before the surface
-  int instruments = 0;  ///< rods over the organ
-  bool drape = false;   ///< a wavy cloth around the organ
+  double dropout = 0;       ///< chance that a ray at the grazing limit is lost; 0 where it meets head-on
+  double smoke = 0;         ///< share of the rays that return from smoke before the surface
+  int instruments = 0;      ///< rods over the organ
+  bool drape = false;       ///< a wavy cloth around the organ
+  bool photograph = false;  ///< the scanner's picture as texture of the scan
   int faultSeed = 1;
 };
 
@@ -32,6 +33,9 @@ void describe(ScanFaultSettings& s, Visitor&& field) {
   field(FieldInfo{"instruments", "Instruments", "", 0, 10, "Rods of 8 mm over the organ."}, s.instruments);
   field(FieldInfo{"drape", "Drape", "", 0, 0, "A wavy blue-green cloth around the organ is seen too."},
         s.drape);
+  field(FieldInfo{"photograph", "Photograph", "", 0, 0,
+                  "The scan carries the scanner's photograph as texture, 1280 pixels wide."},
+        s.photograph);
   field(FieldInfo{"faultSeed", "Seed of the faults", "", 0, 2147483647,
                   "Draws instruments, cloth, smoke and lost rays."},
         s.faultSeed);

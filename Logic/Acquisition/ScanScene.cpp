@@ -104,8 +104,11 @@ void addRod(ScanScene& scene, const Vector3d& tip, const Vector3d& axis) {
 
 ScanScene makeScanScene(const Surface& organ, const ScannerView& view, const ScanFaultSettings& faults) {
   ScanScene scene{organ, {}};
+  if (const auto own = organ.arrays.find(structure::kArray); own != organ.arrays.end())
+    for (const double source : own->second) scene.structure.push_back(static_cast<int>(source));
   if (faults.instruments == 0 && !faults.drape) return scene;
-  scene.structure.assign(static_cast<std::size_t>(organ.size()), structure::kOrgan);
+  if (scene.structure.empty())
+    scene.structure.assign(static_cast<std::size_t>(organ.size()), structure::kOrgan);
   // What belongs to the organ's points only does not go with the scene.
   scene.surface.normals.resize(0, 3);
   scene.surface.colours.resize(0, 3);
@@ -131,6 +134,17 @@ ScanScene makeScanScene(const Surface& organ, const ScannerView& view, const Sca
   return scene;
 }
 
+double organArea(const ScanScene& scene) {
+  if (scene.structure.empty()) return area(scene.surface);
+  Surface organ = scene.surface;
+  Index kept = 0;
+  for (Index t = 0; t < organ.triangles.rows(); ++t)
+    if (scene.structure[static_cast<std::size_t>(organ.triangles(t, 0))] == structure::kOrgan)
+      organ.triangles.row(kept++) = scene.surface.triangles.row(t);
+  organ.triangles.conservativeResize(kept, 3);
+  return area(organ);
+}
+
 bool hasRoom(const ScanFaultSettings& faults) {
   return faults.drape || faults.instruments > 0 || faults.smoke > 0;
 }
@@ -148,6 +162,7 @@ Surface organOf(const Surface& scan) {
 
 std::array<std::uint8_t, 3> sceneColour(int structure, const Vector3d& place, int patchLabel) {
   if (structure == structure::kOrgan) return tissueColour(place, patchLabel);
+  if (structure == structure::kTeflon) return {236, 236, 230};
   const Vector3d paint = structure == structure::kDrape        ? Vector3d(38, 104, 112)
                          : structure == structure::kInstrument ? Vector3d(168, 170, 176)
                                                                : Vector3d(205, 203, 200);

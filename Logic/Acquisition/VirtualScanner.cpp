@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "Logic/Acquisition/RasterMesh.h"
 #include "Logic/Acquisition/ScanReturns.h"
+#include "Logic/Acquisition/ScannerPhotograph.h"
 #include "Logic/Core/Draws.h"
 #include "Logic/Geometry/Measures.h"
+#include "Logic/Geometry/RasterMesh.h"
 #include "Logic/Geometry/Topology.h"
 
 namespace falciform {
@@ -40,9 +41,9 @@ Surface collect(const ScanScene& scene, const std::vector<ScanReturn>& returns,
         settings.noiseMm *
         (faults.noiseGrowsWithRange ? rangeNoiseMm(r.range) / rangeNoiseMm(settings.distanceMm) : 1.0);
     scan.points.row(next) = (r.place + noise * draws.normal() * r.direction).transpose();
-    const int label = r.structure == structure::kOrgan
-                          ? surface.patchAt(nearestCorner(surface, r.triangle, r.place))
-                          : patch::kNone;
+    const int label = r.structure == structure::kSmoke
+                          ? patch::kNone
+                          : surface.patchAt(nearestCorner(surface, r.triangle, r.place));
     if (!surface.patch.empty()) scan.patch.push_back(label);
     if (labelled) scan.arrays[structure::kArray][next] = r.structure;
     const auto rgb = sceneColour(r.structure, r.place, label);
@@ -96,6 +97,7 @@ VirtualScan scanSurface(const Surface& surface, const Vector3d& lookAt,
   seen.triangles = rasterTriangles(raster);
   seen.normals = rasterNormals(raster, seen.points, view.eye);
   if (faults.smoke <= 0) seen = withoutSpeckle(seen);
+  if (faults.photograph) photographScan(scene, tree, view, seen);
   if (seen.size() == 0)
     throw InputError(
         "the virtual scanner at azimuth " + std::to_string(settings.azimuthDeg) + " deg and " +
@@ -104,7 +106,7 @@ VirtualScan scanSurface(const Surface& surface, const Vector3d& lookAt,
   double area = 0;
   for (const ScanReturn& r : returns)
     if (r.structure == structure::kOrgan) area += r.areaMm2;
-  result.coverage = std::min(area / falciform::area(surface), 1.0);
+  result.coverage = std::min(area / organArea(scene), 1.0);
 
   Draws draws(static_cast<std::uint64_t>(settings.seed), 4);
   result.scanFromPreop.linear() = draws.rotation().toRotationMatrix();

@@ -53,6 +53,11 @@ std::vector<std::filesystem::path> builtInCaseFiles(const std::filesystem::path&
                            "truth_targets.mrk.json", "truth_scan_from_preop.tfm"})
     files.push_back(folder / name);
   if (hasRoom(faults)) files.push_back(folder / kRawScan);
+  if (faults.photograph) {
+    for (const auto& beside : filesBeside(folder / "scan.vtp")) files.push_back(beside);
+    if (hasRoom(faults))
+      for (const auto& beside : filesBeside(folder / kRawScan)) files.push_back(beside);
+  }
   for (const std::string& name : kStructures) files.push_back(folder / structureFile(name));
   return files;
 }

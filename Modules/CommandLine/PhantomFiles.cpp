@@ -37,6 +37,9 @@ std::vector<std::filesystem::path> phantomFiles(const std::filesystem::path& fol
         "gold_scan_from_preop.tfm", "truth_scan_from_preop.tfm"})
     files.push_back(folder / name);
   if (plan.phantom.beads > 0) files.push_back(folder / "beads_ct.mrk.json");
+  if (plan.faults.photograph)
+    for (const char* scan : {"scan.vtp", "scan_subregion.vtp", "scan_whole_view.vtp"})
+      for (const auto& beside : filesBeside(folder / scan)) files.push_back(beside);
   return files;
 }
 

@@ -229,6 +229,39 @@ TEST(ScanFaults, ClothAndSteelHaveOtherColoursThanTheOrgan) {
   EXPECT_NEAR(redShare(structure::kInstrument), 1.0 / 3, 0.02);
 }
 
+TEST(ScanFaults, PhotographShowsEachPointWhereItIs) {
+  // A ball painted in quarters: away from their borders the colour at a point's place in the photograph is
+  // that of its quarter, however light falls on it. A place that were off by more would show another quarter.
+  Surface ball = test::sphere(60, 6);
+  ball.patch.resize(static_cast<std::size_t>(ball.size()));
+  for (Index i = 0; i < ball.size(); ++i)
+    ball.patch[static_cast<std::size_t>(i)] =
+        ball.points(i, 0) * ball.points(i, 2) > 0 ? patch::kFalciform : patch::kNone;
+  ScanFaultSettings faults;
+  faults.photograph = true;
+  VirtualScannerSettings settings = frontal(400);
+  settings.fieldOfViewDeg = 20;
+  settings.windowShare = 0.8;
+  const Surface seen = inPreop(scanSurface(ball, Vector3d(0, 0, 0), settings, faults));
+  ASSERT_TRUE(seen.texture);
+  EXPECT_EQ(seen.texture->width, 1280);
+  ASSERT_EQ(seen.textureAt.rows(), seen.size());
+  EXPECT_GE(seen.textureAt.minCoeff(), 0);
+  EXPECT_LE(seen.textureAt.maxCoeff(), 1);
+  EXPECT_TRUE(seen.colours == coloursAt(*seen.texture, seen.textureAt));
+  int tested = 0;
+  for (Index i = 0; i < seen.size(); ++i) {
+    if (std::min(std::abs(seen.points(i, 0)), std::abs(seen.points(i, 2))) < 3)
+      continue;  // mm: a border's blur
+    const double red = seen.colours(i, 0), green = seen.colours(i, 1);
+    if (seen.points.row(i).normalized()[1] < -0.95) continue;  // the gleam
+    // Parenchyma has 0.47 of green to red, the ligament 0.82.
+    ASSERT_EQ(green / red > 0.65, seen.points(i, 0) * seen.points(i, 2) > 0) << seen.points.row(i);
+    ++tested;
+  }
+  EXPECT_GT(tested, 5000);
+}
+
 TEST(ScanFaults, AreTheSameWithAnyNumberOfThreadsAndDifferBySeed) {
   const Surface& liver = coarseLiver().surface;
   ScanFaultSettings faults;

@@ -1,2 +1,0 @@
-#pragma once
-#include "Logic/Geometry/RasterMesh.h"  // moved: files are read as rasters too
