@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "Logic/Core/LandmarkPairs.h"
 #include "Logic/Registration/SurfaceRegistration.h"
 #include "Modules/CommandLine/PhantomExperiment.h"
 
@@ -59,6 +60,50 @@ void printRegistrations(const PhantomExperiment& done) {
     }
 }
 
+void append(VectorXd& all, const Landmarks& found, const Landmarks& truth) {
+  const Points there = positionsOf(found), places = positionsOf(truth);
+  const Index first = all.size();
+  all.conservativeResize(first + places.rows());
+  for (Index i = 0; i < places.rows(); ++i)
+    all[first + i] = (there.rowwise() - places.row(i)).rowwise().norm().minCoeff();
+}
+
+/// Spheres and beads of five phantoms, at the thesis's noise: in a clean room and in a busy one.
+void printMarkers() {
+  constexpr int kSeeds = 5;
+  std::puts("| located, mm | markers | mean | largest |\n|---|---|---|---|");
+  VectorXd ballsCt, beads, clean, busy;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    PhantomPlan plan = thesisPhantom();
+    plan.liver.edgeLengthMm = 2;  // of what is scanned; the CT keeps the thesis's voxels
+    plan.phantom.beads = 43;
+    plan.phantom.seed = plan.scanner.seed = plan.faults.faultSeed = seed;
+    const PhantomCase quiet = makePhantomCase(plan);
+    append(ballsCt, quiet.spheresCt, quiet.trueSpheresCt);
+    append(beads, quiet.beadsCt, quiet.targets);
+    append(clean, quiet.spheresScan, quiet.trueSpheresScan);
+    plan.faults = {.baselineMm = 100,
+                   .noiseGrowsWithRange = true,
+                   .dropout = 0.3,
+                   .smoke = 0.01,
+                   .instruments = 2,
+                   .drape = false,
+                   .photograph = false,
+                   .faultSeed = seed};
+    plan.liver.voxelMm = 4;  // the CT is not looked at again
+    plan.phantom.beads = 0;
+    const PhantomCase spoilt = makePhantomCase(plan);
+    append(busy, spoilt.spheresScan, spoilt.trueSpheresScan);
+  }
+  const auto row = [](const char* what, const VectorXd& mm) {
+    std::printf("| %s | %ld | %.3f | %.3f |\n", what, static_cast<long>(mm.size()), mm.mean(), mm.maxCoeff());
+  };
+  row("spheres in the CT, clicked at", ballsCt);
+  row("steel beads of 1 mm in the CT, without clicks", beads);
+  row("spheres in the scan", clean);
+  row("spheres in the scan: shadows, lost rays, 1 % smoke, 2 rods", busy);
+}
+
 }  // namespace
 }  // namespace falciform
 
@@ -80,4 +125,6 @@ int main() {
   row("target error expected from FRE", done.predictedTargetErrorMm);
   std::printf("\nFRE %.3f mm (root mean square; thesis 1.4 mm)\n\n", done.gold.freMm);
   printRegistrations(done);
+  std::puts("");
+  printMarkers();
 }
