@@ -81,6 +81,24 @@ TEST(PhantomCommand, FollowsTheSeed) {
   }
 }
 
+TEST(PhantomCommand, ABusyRoomGivesARawScanWithItsPhotographBesideTheOrgansOwn) {
+  const TemporaryFolder folder;
+  const std::filesystem::path out = folder / "room";
+  const Ran ran =
+      falciform({"synthesise", "--out", out.string(), "--edge-length", "6", "--voxel", "6", "--stride", "6",
+                 "--drape", "--instruments", "2", "--smoke", "0.02", "--photograph"});
+  ASSERT_EQ(ran.exitCode, 0) << ran.err;
+  const Surface raw = readSurface(out / "scan_raw.vtp").value, organ = readSurface(out / "scan.vtp").value;
+  const VectorXd& source = raw.arrays.at("structure");
+  for (const int structure : {0, 1, 2, 3}) EXPECT_TRUE((source.array() == structure).any()) << structure;
+  EXPECT_EQ(organ.size(), (source.array() == 0).count());
+  EXPECT_FALSE(organ.arrays.contains("structure"));
+  for (const Surface& scan : {raw, organ}) {
+    ASSERT_TRUE(scan.texture);
+    EXPECT_EQ(scan.texture->width, 1280);
+  }
+}
+
 TEST(PhantomCommand, RefusesWhatBelongsToTheOtherKind) {
   const TemporaryFolder folder;
   const std::string out = (folder / "out").string();
