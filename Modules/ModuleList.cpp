@@ -4,6 +4,7 @@
 #include "Modules/DeformationAnalysis/DeformationAnalysisPanel.h"
 #include "Modules/PatchPainting/PatchPaintingPanel.h"
 #include "Modules/Registration/RegistrationPanel.h"
+#include "Modules/ScanPreparation/ScanPreparationPanel.h"
 #include "Modules/SegmentationImport/SegmentationImportPanel.h"
 
 namespace falciform {
@@ -23,10 +24,11 @@ Module module(const char* key, const char* title, const char* chapter) {
 const std::vector<Module>& moduleList() {
   static const std::vector<Module> modules{
       module<SegmentationImportPanel>("SegmentationImport", "1. Segmentation import", "II"),
-      module<PatchPaintingPanel>("PatchPainting", "2. Patch painting", "III"),
-      module<RegistrationPanel>("Registration", "3. Registration", "III"),
-      module<DeformationAnalysisPanel>("DeformationAnalysis", "4. Deformation analysis", "IV"),
-      module<AtlasUpdatePanel>("AtlasUpdate", "5. Atlas update", "V"),
+      module<ScanPreparationPanel>("ScanPreparation", "2. Scan preparation", "II"),
+      module<PatchPaintingPanel>("PatchPainting", "3. Patch painting", "III"),
+      module<RegistrationPanel>("Registration", "4. Registration", "III"),
+      module<DeformationAnalysisPanel>("DeformationAnalysis", "5. Deformation analysis", "IV"),
+      module<AtlasUpdatePanel>("AtlasUpdate", "6. Atlas update", "V"),
   };
   return modules;
 }

@@ -99,7 +99,8 @@ class Grower {
       const std::vector<char> all = likeness(ids.empty() ? first : TissueModel(lab_, ids));
       for (std::size_t i = 0; i < like.size(); ++i) like[i] = like[i] || all[i] || seeded[i];
     }
-    return connected(seeds, like);
+    // The falciform ligament may part the liver from border to border.
+    return connected(seeds, byColour_ && plan_.closeMm > 0 ? closed(like) : like);
   }
 
   /// Without what hangs on narrow bridges; with enclosed holes and narrow strips.

@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kChunk = 512;
 constexpr double kSigmaOfMad = 1.4826;  // of a normal distribution
 constexpr double kSparser = 2;          // times the neighbours' own spacing, and the scan's usual one
+constexpr double kBend = 3;             // times the distances of those around from their planes
+constexpr double kNoRaster = 6;         // times the usual one: a raster at 80 degrees is 5.8 times as wide
 
 /// How a point stands to those around it.
 struct Standing {
@@ -89,25 +91,64 @@ std::vector<char> findOutliers(const Surface& scan, const CleaningPlan& plan, co
   // has none: a thousandth of the spacing is rounding.
   const double sigma = std::max(kSigmaOfMad * median(offPlane), 1e-3 * usual);
   forEachChunk(ids.size(), kChunk, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> theirs;
+    std::vector<double> theirs, bends;
     for (std::size_t k = begin; k < end; ++k) {
       const auto i = static_cast<std::size_t>(ids[k]);
       theirs.clear();
-      for (const int j : standings[i].around)
+      bends.clear();
+      for (const int j : standings[i].around) {
         theirs.push_back(standings[static_cast<std::size_t>(j)].spacing);
-      const bool apart = !theirs.empty() && standings[i].spacing > kSparser * usual &&
-                         standings[i].spacing > kSparser * median(theirs);
-      outlier[i] = apart || standings[i].offPlane > plan.outlierSpread * sigma;
+        bends.push_back(standings[static_cast<std::size_t>(j)].offPlane);
+      }
+      const bool apart = standings[i].spacing > kNoRaster * usual ||
+                         (!theirs.empty() && standings[i].spacing > kSparser * usual &&
+                          standings[i].spacing > kSparser * median(theirs));
+      // Where the surface itself bends, all around are off their planes.
+      const bool off = !bends.empty() && standings[i].offPlane > plan.outlierSpread * sigma &&
+                       standings[i].offPlane > kBend * median(bends);
+      outlier[i] = apart || off;
     }
   });
   return outlier;
 }
 
-std::vector<char> findGrazing(const Surface& scan, const Vector3d& towardsScanner, double grazingDeg,
+/// Of the triangles whose corners are all left: a spike turns the others around it.
+Points normalsOf(const Surface& scan, const std::vector<char>& left) {
+  if (scan.triangles.rows() == 0) return scan.normals;
+  Surface sound;
+  sound.points = scan.points;
+  sound.triangles.resize(scan.triangles.rows(), 3);
+  Index count = 0;
+  for (Index t = 0; t < scan.triangles.rows(); ++t) {
+    const auto corners = scan.triangles.row(t);
+    if (left[static_cast<std::size_t>(corners[0])] && left[static_cast<std::size_t>(corners[1])] &&
+        left[static_cast<std::size_t>(corners[2])])
+      sound.triangles.row(count++) = corners;
+  }
+  sound.triangles.conservativeResize(count, 3);
+  return vertexNormals(sound);
+}
+
+/// The mean over each point and those around it, twice: noise turns single triangles any way.
+Points smoothedOver(const Adjacency& neighbours, const std::vector<char>& left, Points normals) {
+  for (int time = 0; time < 2; ++time) {
+    Points mean = normals;
+    for (int i = 0; i < static_cast<int>(normals.rows()); ++i)
+      for (const int* j = neighbours.begin(i); j != neighbours.end(i); ++j)
+        if (left[static_cast<std::size_t>(*j)]) mean.row(i) += normals.row(*j);
+    for (Index i = 0; i < mean.rows(); ++i)
+      if (const double length = mean.row(i).norm(); length > 0) mean.row(i) /= length;
+    normals.swap(mean);
+  }
+  return normals;
+}
+
+std::vector<char> findGrazing(const Surface& scan, const Adjacency& neighbours,
+                              const Vector3d& towardsScanner, double grazingDeg,
                               const std::vector<char>& left) {
   std::vector<char> grazing(left.size());
   const double flattest = std::cos(grazingDeg * std::numbers::pi / 180);
-  const Points normals = scan.triangles.rows() > 0 ? vertexNormals(scan) : scan.normals;
+  const Points normals = smoothedOver(neighbours, left, normalsOf(scan, left));
   for (Index i = 0; i < normals.rows(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     grazing[k] = left[k] && !normals.row(i).isZero() && normals.row(i).dot(towardsScanner) < flattest;
@@ -130,7 +171,8 @@ FalseReturns findFalseReturns(const Surface& scan, const Adjacency& neighbours,
   if (plan.outlierSpread > 0) found.outlier = findOutliers(scan, plan, progress.part(0, 0.8));
   take(found.outlier);
   progress.report(0.8, "Grazing returns");
-  if (plan.grazingDeg < 90) found.grazing = findGrazing(scan, towardsScanner, plan.grazingDeg, left);
+  if (plan.grazingDeg < 90)
+    found.grazing = findGrazing(scan, neighbours, towardsScanner, plan.grazingDeg, left);
   take(found.grazing);
   progress.report(0.9, "Small pieces");
   if (plan.smallestPieceShare > 0) {

@@ -21,9 +21,10 @@ struct FalseReturns {
 };
 
 /// Marks, one after the other, each among what the ones before left:
-/// - outliers: points of a mesh in no triangle, which jumps in depth have cut off; points much farther from
-///   their neighbours than these are from theirs and than is usual in the scan; and points off the plane of
-///   their neighbours by more than `outlierSpread` robust standard deviations of all such distances;
+/// - outliers: points of a mesh in no triangle, which jumps in depth have cut off; points twice as far from
+///   their neighbours as these are from theirs and as is usual in the scan, or six times as far; and points
+///   off the plane of their neighbours by more than `outlierSpread` robust standard deviations of all such
+///   distances;
 /// - grazing: the surface turns away from `towardsScanner` (unit) by more than `grazingDeg`, where a scanner
 ///   sees flying pixels between two depths; for points with normals or triangles;
 /// - pieces smaller than a share of the largest.

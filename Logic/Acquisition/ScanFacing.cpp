@@ -29,27 +29,7 @@ Vector3d thinnestAxis(const Points& points) {
   return Eigen::SelfAdjointEigenSolver<Matrix3d>(centred.transpose() * centred).eigenvectors().col(0);
 }
 
-Vector3d bulge(const Points& points) {
-  const Vector3d axis = thinnestAxis(points);
-  const Points centred = points.rowwise() - points.colwise().mean();
-  const VectorXd height = centred * axis;
-  const VectorXd rim = (centred - height * axis.transpose()).rowwise().squaredNorm();
-  // Where the rim lies lower than the middle, the axis points at the scanner.
-  return (height.array() * (rim.array() - rim.mean())).sum() > 0 ? Vector3d(-axis) : axis;
-}
-
 }  // namespace
-
-Vector3d facingOf(const Surface& scan) {
-  // A closed surface has no mean normal; what little is left of it is rounding.
-  const Vector3d sum = areaVector(scan);
-  if (scan.triangles.rows() > 0 && sum.norm() > 0.01 * area(scan)) return sum.normalized();
-  if (scan.triangles.rows() == 0 && scan.normals.rows() > 0) {
-    const Vector3d mean = scan.normals.colwise().mean();
-    if (mean.norm() > 0.01) return mean.normalized();
-  }
-  return scan.size() < 3 ? Vector3d(Vector3d::UnitZ()) : bulge(scan.points);
-}
 
 void faceTowards(Surface& scan, const Vector3d& towardsScanner) {
   if (areaVector(scan).dot(towardsScanner) < 0) scan.triangles.col(1).swap(scan.triangles.col(2));

@@ -3,11 +3,6 @@
 
 namespace falciform {
 
-/// Unit direction from the scan towards where its scanner stood, as far as the scan tells: the mean normal of
-/// its triangles or points; for a cloud without normals the thinnest of its axes, on the side to which the
-/// middle bulges over the rim.
-[[nodiscard]] Vector3d facingOf(const Surface& scan);
-
 /// Turns the triangles as a whole, and each normal, to the side of `towardsScanner`.
 void faceTowards(Surface& scan, const Vector3d& towardsScanner);
 

@@ -9,6 +9,7 @@
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/NumberText.h"
 #include "Logic/Geometry/Measures.h"
+#include "Logic/Geometry/ScannerSide.h"
 #include "Logic/VtkBridge/SurfaceFilters.h"
 
 namespace falciform {
@@ -86,7 +87,7 @@ MarkedScan markScan(const Surface& raw, const Points& seeds, const std::optional
   scaleToMm(settings, marked);
   progress.report(0.02, "Which side faces the scanner");
   marked.towardsScanner =
-      scannerAt ? Vector3d((*scannerAt - centroid(marked.scan.points)).normalized()) : facingOf(marked.scan);
+      scannerAt ? Vector3d((*scannerAt - centroid(marked.scan.points)).normalized()) : seenFrom(marked.scan);
   faceTowards(marked.scan, marked.towardsScanner);
 
   const Adjacency neighbours = scanNeighbours(marked.scan);
@@ -135,7 +136,8 @@ Surface finishScan(const MarkedScan& marked, const ScanPreparationSettings& sett
         thinned(kept, neighbours, poissonDisks(kept, neighbours, settings.spacingMm, kThinningSeed)));
   }
   progress.report(0.9, "Normals");
-  giveNormals(kept, marked.towardsScanner);
+  // Those of a raster are planes over seven by seven samples: better than of single triangles.
+  if (kept.normals.rows() == 0) giveNormals(kept, marked.towardsScanner);
   progress.report(1);
   return kept;
 }

@@ -10,6 +10,7 @@
 #include "Logic/IO/ImageFiles.h"
 #include "Logic/IO/OutputFile.h"
 #include "Logic/IO/RangeGrid.h"
+#include "Logic/IO/SurfaceFormats.h"
 
 namespace falciform {
 
@@ -167,8 +168,8 @@ bool isDepthFrame(const fs::path& file) {
   return extension == ".rgbd" || (extension == ".png" && isDepthImage(file));
 }
 
-DepthFrameFiles depthFrameBeside(const fs::path& depth) {
-  DepthFrameFiles files{depth, {}, cameraBeside(depth), poseBeside(depth)};
+DepthFrameFiles depthFrameBeside(const fs::path& depth, const fs::path& camera) {
+  DepthFrameFiles files{depth, {}, camera.empty() ? cameraBeside(depth) : camera, poseBeside(depth)};
   if (lower(depth.extension().string()) == ".png") files.colour = colourBeside(depth);
   if (files.camera.empty())
     throw InputError(depth.filename().string() + " holds depths, and its camera is not known; put " +

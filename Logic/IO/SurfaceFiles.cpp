@@ -45,18 +45,26 @@ void checkRead(const RawSurface& raw, const std::string& name) {
   checkSurface(raw.surface, name);
 }
 
-}  // namespace
-
-Loaded<Surface> readSurface(const std::filesystem::path& file) {
-  const std::string name = file.filename().string();
-  RawSurface raw = readRaw(file, name);
+Loaded<Surface> checked(RawSurface raw, const std::string& name) {
   Surface& surface = raw.surface;
-  attachTexture(raw, file);
   const bool turned = honourSpace(surface.points, surface.frame, raw.space, name, raw.warnings);
   if (turned && surface.normals.rows() > 0) surface.normals.leftCols<2>() *= -1;
   checkRead(raw, name);
   checkUnits(surface.points, name, raw.warnings);
   return {std::move(raw.surface), std::move(raw.warnings)};
+}
+
+}  // namespace
+
+Loaded<Surface> readSurface(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  RawSurface raw = readRaw(file, name);
+  attachTexture(raw, file);
+  return checked(std::move(raw), name);
+}
+
+Loaded<Surface> readSurface(const DepthFrameFiles& files) {
+  return checked(readDepthFrame(files), files.depth.filename().string());
 }
 
 void writeSurface(const std::filesystem::path& file, const Surface& surface, Overwrite overwrite) {

@@ -9,6 +9,8 @@
 
 namespace falciform {
 
+struct DepthFrameFiles;
+
 // The formats behind readSurface and writeSurface, one function each. Inside Logic/IO only.
 
 /// What an OBJ file says of its materials: their library, and which of them each point has.
@@ -36,6 +38,7 @@ struct RawSurface {
 [[nodiscard]] RawSurface readCloudText(const std::string& text, const std::string& name);
 /// Point Cloud Library: ASCII, binary and compressed; organised clouds are joined.
 [[nodiscard]] RawSurface readPcd(const std::string& bytes, const std::string& name);
+[[nodiscard]] RawSurface readDepthFrame(const DepthFrameFiles& files);
 [[nodiscard]] RawSurface readVtp(const std::string& bytes, const std::string& name);
 [[nodiscard]] RawSurface readLegacyVtk(const std::string& bytes, const std::string& name);
 

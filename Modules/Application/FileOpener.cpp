@@ -56,7 +56,8 @@ std::optional<FileRole> FileOpener::roleOf(const QString& file) {
     bench_.log.error(tr("%1 is no file that can be opened here; open a DICOM folder, a label map (NIfTI, "
                         "NRRD, MetaImage), a "
                         "surface or scan (VTP, "
-                        "VTK, STL, PLY, OBJ, XYZ, CSV), landmarks (.mrk.json, .fcsv) or a case folder.")
+                        "VTK, STL, PLY, OBJ, PCD, XYZ, CSV, RGBD, PNG of depths), landmarks (.mrk.json, "
+                        ".fcsv) or a case folder.")
                          .arg(name));
     return std::nullopt;
   }

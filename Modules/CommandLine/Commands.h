@@ -17,6 +17,7 @@ struct Command {
 
 [[nodiscard]] Command segmentCommand();
 [[nodiscard]] Command importCommand();
+[[nodiscard]] Command scanCommand();
 [[nodiscard]] Command patchesCommand();
 [[nodiscard]] Command registerCommand();
 [[nodiscard]] Command distanceCommand();

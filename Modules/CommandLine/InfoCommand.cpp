@@ -48,6 +48,12 @@ void tellSurface(const fs::path& file, CommandRun& run) {
                  {"points", surface.size()},
                  {"triangles", surface.triangles.rows()},
                  {"frame", surface.frame}};
+  if (surface.texture)
+    run.say("texture of " + std::to_string(surface.texture->width) + " x " +
+            std::to_string(surface.texture->height) + " pixels");
+  else if (surface.colours.rows() > 0)
+    run.say("colours at the points");
+  run.figures["colours"] = surface.texture ? "texture" : surface.colours.rows() > 0 ? "points" : "none";
   if (!cloud) {
     const TopologyReport topology = inspectTopology(surface);
     run.say(describeTopology(topology) + "; area " + fixed(area(surface) / 100, 1) + " cm2" +
@@ -189,7 +195,6 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::string extension = fs::path(name).extension().string();
-  const auto& surfaces = surfaceExtensions();
   const bool folder = fs::is_directory(file);
   if (folder && !fs::exists(file / "case.json", ignored) && isDicom(file))
     tellDicom(file, run);
@@ -201,7 +206,7 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
     tellLandmarks(file, run);
   else if (extension == ".vtu")
     tellMesh(file, run);
-  else if (std::find(surfaces.begin(), surfaces.end(), extension) != surfaces.end())
+  else if (isSurfaceFile(file))
     tellSurface(file, run);
   else if (extension == ".tfm" || extension == ".txt" || extension == ".json")
     tellTransform(file, run);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/IO/SurfaceFiles.h"
 
 namespace falciform::commandline {
 
@@ -74,6 +75,14 @@ fs::path Outputs::staged(const fs::path& file) const {
 
 void Outputs::commit() {
   std::error_code error;
+  // The texture of a surface is written beside it.
+  std::vector<fs::path> along;
+  for (const fs::path& file : announced_)
+    for (const fs::path& beside : filesBeside(file))
+      if (fs::exists(staged(beside)) &&
+          std::find(announced_.begin(), announced_.end(), beside) == announced_.end())
+        along.push_back(beside);
+  for (const fs::path& file : along) announce(file);
   for (const auto& [folder, hidden] : staging_) {
     noteMissing(folder);
     makeFolder(folder);

@@ -10,7 +10,7 @@ namespace falciform::commandline {
 
 namespace {
 
-Vector3d placeOf(const std::string& text, const std::string& all) {
+Vector3d parsePlace(const std::string& text, const std::string& refusal) {
   Vector3d place;
   const char* at = text.data();
   const char* const end = at + text.size();
@@ -27,7 +27,7 @@ Vector3d placeOf(const std::string& text, const std::string& all) {
     at = next;
   }
   skip();
-  if (!good || at != end) throw InputError("--seed is '" + all + "'; give places in mm as x,y,z;x,y,z");
+  if (!good || at != end) throw InputError(refusal);
   return place;
 }
 
@@ -53,7 +53,8 @@ Landmarks seedPointsOf(const ParsedArguments& arguments, CommandRun& run) {
     const std::size_t end = std::min(text.find(';', begin), text.size());
     if (end > begin)
       seeds.points.push_back({"click " + std::to_string(seeds.points.size() + 1),
-                              placeOf(text.substr(begin, end - begin), text)});
+                              parsePlace(text.substr(begin, end - begin),
+                                         "--seed is '" + text + "'; give places in mm as x,y,z;x,y,z")});
     begin = end + 1;
   }
   if (arguments.has("seeds"))
@@ -63,6 +64,11 @@ Landmarks seedPointsOf(const ParsedArguments& arguments, CommandRun& run) {
 
 Points seedsOf(const ParsedArguments& arguments, CommandRun& run) {
   return positionsOf(seedPointsOf(arguments, run));
+}
+
+Vector3d placeOf(const ParsedArguments& arguments, const std::string& name) {
+  const std::string text = arguments.text(name);
+  return parsePlace(text, "--" + name + " is '" + text + "'; give a place in mm as x,y,z");
 }
 
 }  // namespace falciform::commandline

@@ -14,4 +14,7 @@ void declareSeeds(Syntax& syntax, const std::string& group, const std::string& w
 /// list of places.
 [[nodiscard]] Points seedsOf(const ParsedArguments& arguments, CommandRun& run);
 
+/// The place of one argument, "x,y,z", mm. Throws InputError for anything else.
+[[nodiscard]] Vector3d placeOf(const ParsedArguments& arguments, const std::string& name);
+
 }  // namespace falciform::commandline

@@ -20,6 +20,8 @@ struct FuzzTarget {
 void demand(bool sound, const std::string& what);
 
 [[nodiscard]] std::vector<FuzzTarget> surfaceTargets();
+/// Rasters, textures, depth frames, pictures.
+[[nodiscard]] std::vector<FuzzTarget> scanTargets();
 [[nodiscard]] std::vector<FuzzTarget> volumeTargets();
 [[nodiscard]] std::vector<FuzzTarget> dicomTargets();
 /// Landmarks, transforms, tables, JSON, tetrahedra, atlases.

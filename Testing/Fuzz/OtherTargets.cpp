@@ -164,7 +164,7 @@ std::vector<FuzzTarget> otherTargets() {
 
 std::vector<FuzzTarget> allTargets() {
   std::vector<FuzzTarget> all;
-  for (const auto& part : {surfaceTargets(), volumeTargets(), dicomTargets(), otherTargets()})
+  for (const auto& part : {surfaceTargets(), scanTargets(), volumeTargets(), dicomTargets(), otherTargets()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }

@@ -242,6 +242,10 @@ int main(int argc, char** argv) {
       press(window, "import");
       waitIdle(bench);
     }
+    if (name == "ScanPreparation" && bench.document.scan()) {
+      press(window, "markScan");
+      QTest::qWait(15000);  // a preview has no end that the bench would tell of
+    }
     if (name == "PatchPainting") {
       save(name + "_liver");
       press(window, "paintOnScan");

@@ -67,8 +67,8 @@ INSTANTIATE_TEST_SUITE_P(Modules, EveryModule, testing::Range(std::size_t{0}, mo
 TEST(ModuleList, StandsInTheOrderOfTheWork) {
   std::vector<std::string> keys;
   for (const Module& module : moduleList()) keys.emplace_back(module.key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"SegmentationImport", "PatchPainting", "Registration",
-                                            "DeformationAnalysis", "AtlasUpdate"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"SegmentationImport", "ScanPreparation", "PatchPainting",
+                                            "Registration", "DeformationAnalysis", "AtlasUpdate"}));
 }
 
 }  // namespace

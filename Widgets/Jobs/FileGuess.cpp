@@ -21,7 +21,8 @@ bool namesAnyOf(const std::string& name, std::initializer_list<std::string_view>
 }
 
 std::vector<FileRole> guessSurface(const std::string& name, const std::string& extension) {
-  const bool cloudOnly = extension == ".xyz" || extension == ".csv";
+  const bool cloudOnly = extension == ".xyz" || extension == ".csv" || extension == ".pcd" ||
+                         extension == ".rgbd" || extension == ".png";
   if (cloudOnly || namesAnyOf(name, {"scan", "intraop", "range", "lrs"})) return {FileRole::Scan};
   if (namesAnyOf(name, {"preop", "pre-op", "pre_op"})) return {FileRole::Preop};
   if (namesAnyOf(name, {"vessel", "vein", "artery", "tumour", "tumor", "portal", "gallbladder", "cyst"}))
@@ -91,9 +92,7 @@ std::vector<FileRole> guessFileRoles(const std::filesystem::path& file) {
     return {FileRole::PreopLandmarks, FileRole::ScanLandmarks};
   }
   if (extension == ".json") return {FileRole::Case};
-  const auto& surfaces = surfaceExtensions();
-  if (std::find(surfaces.begin(), surfaces.end(), extension) != surfaces.end())
-    return guessSurface(name, extension);
+  if (isSurfaceFile(file)) return guessSurface(name, extension);
   return guessDicom(file);
 }
 

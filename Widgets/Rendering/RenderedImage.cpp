@@ -2,14 +2,11 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkPNGReader.h>
-#include <vtkPNGWriter.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 
-#include "Logic/Core/Errors.h"
-#include "Logic/VtkBridge/VtkErrors.h"
+#include "Logic/IO/ImageFiles.h"
 #include "Version.h"
 
 namespace falciform {
@@ -56,34 +53,9 @@ RenderedImage halved(const RenderedImage& image) {
 }
 
 void savePng(const RenderedImage& image, const std::filesystem::path& file, Overwrite overwrite) {
-  vtkNew<vtkImageData> data;
-  data->SetDimensions(image.width, image.height, 1);
-  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const std::size_t row = static_cast<std::size_t>(image.width) * 3;
-  for (int y = 0; y < image.height; ++y)
-    std::copy_n(image.rgb.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(y)), row,
-                static_cast<std::uint8_t*>(data->GetScalarPointer(0, image.height - 1 - y, 0)));
-  writeFile(file, overwrite, [&](const std::filesystem::path& temporary) {
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetFileName(temporary.c_str());
-    writer->SetInputData(data);
-    writer->AddText("Disclaimer", kResearchUse);
-    const std::string problem = vtkErrorsOf([&] { writer->Write(); });
-    if (!problem.empty())
-      throw InputError(file.string() + ": the picture could not be written (" + problem + ")");
-  });
+  writePng(file, image, overwrite, {{"Disclaimer", kResearchUse}});
 }
 
-RenderedImage readPng(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError(file.string() + ": no such picture; check the path");
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(file.c_str());
-  const std::string problem = vtkErrorsOf([&] { reader->Update(); });
-  vtkImageData* data = reader->GetOutput();
-  if (!problem.empty() || data->GetNumberOfPoints() == 0 || data->GetScalarType() != VTK_UNSIGNED_CHAR)
-    throw InputError(file.string() + ": not an 8-bit PNG picture; save it again");
-  return fromVtkImage(data);
-}
+RenderedImage readPng(const std::filesystem::path& file) { return readColourImage(file); }
 
 }  // namespace falciform

@@ -1,12 +1,7 @@
 #pragma once
-#include "Logic/Core/Surface.h"
+#include "Logic/Geometry/ScannerSide.h"
 
 namespace falciform {
-
-/// Unit direction from the scan towards where its scanner stood, as far as the scan tells: the mean normal of
-/// its triangles; for a cloud the direction that shows most of it, on the side to which the middle bulges
-/// over the rim.
-[[nodiscard]] Vector3d seenFrom(const Surface& scan);
 
 /// Unit direction at right angles to `view` that shows the scan's longest extent from left to right, a
 /// painted inferior ridge in the lower half.

@@ -29,7 +29,8 @@ void write(vtkUnsignedCharArray* colours, Index point, const Vector3d& colour) {
 SurfacePresenter::SurfacePresenter(vtkRenderer* renderer)
     : renderer_(renderer),
       actor_(vtkSmartPointer<vtkActor>::New()),
-      data_(vtkSmartPointer<vtkPolyData>::New()) {
+      data_(vtkSmartPointer<vtkPolyData>::New()),
+      photograph_(renderer) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data_);
   mapper->SetColorModeToDirectScalars();
@@ -47,6 +48,8 @@ SurfacePresenter::~SurfacePresenter() { renderer_->RemoveActor(actor_); }
 
 void SurfacePresenter::show(std::shared_ptr<const Surface> surface) {
   const bool same = surface && surface_ && sameGeometry(*surface, *surface_);
+  const bool samePhotograph = same && surface->texture == surface_->texture &&
+                              surface->textureAt.rows() == surface_->textureAt.rows();
   const bool moved = !same && surface && surface_ && sameTriangles(*surface, *surface_);
   surface_ = std::move(surface);
   labels_ = surface_ ? surface_->patch : std::vector<int>();
@@ -61,6 +64,7 @@ void SurfacePresenter::show(std::shared_ptr<const Surface> surface) {
     data_->GetPointData()->SetScalars(colours_);
     vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(data_);
   }
+  if (!samePhotograph) photograph_.show(surface_.get(), data_);
   recolour();
   applyStyle();
 }
@@ -89,6 +93,7 @@ void SurfacePresenter::setPatchLabels(const std::vector<int>& ids, const std::ve
     write(colours_, ids[i], colourAt(ids[i]));
   }
   colours_->Modified();
+  if (style_.patches) photograph_.setPainted(ids, values);
 }
 
 void SurfacePresenter::setSceneFromSurface(const Isometry3d& motion) {
@@ -97,6 +102,7 @@ void SurfacePresenter::setSceneFromSurface(const Isometry3d& motion) {
   for (int r = 0; r < 4; ++r)
     for (int c = 0; c < 4; ++c) matrix->SetElement(r, c, motion.matrix()(r, c));
   actor_->SetUserMatrix(matrix);
+  photograph_.actor()->SetUserMatrix(matrix);
 }
 
 Vector3d SurfacePresenter::colourAt(Index point) const {
@@ -119,6 +125,7 @@ void SurfacePresenter::recolour() {
   if (!surface_) return;
   for (Index i = 0; i < surface_->size(); ++i) write(colours_, i, colourAt(i));
   colours_->Modified();
+  photograph_.setPainted(labels_, style_.patches);
 }
 
 void SurfacePresenter::applyStyle() {
@@ -133,6 +140,12 @@ void SurfacePresenter::applyStyle() {
   property->SetSpecular(map_ ? 0.0 : 0.12);
   property->SetSpecularPower(20);
   actor_->SetVisibility(style_.visible && surface_ && surface_->size() > 0);
+  // Over a see-through surface a second coat would be seen twice; its points have the photograph's colours.
+  vtkActor* photograph = photograph_.actor();
+  photograph->GetProperty()->DeepCopy(property);
+  photograph->GetProperty()->SetEdgeVisibility(false);
+  photograph->SetVisibility(actor_->GetVisibility() && style_.ownColours && !map_ && !style_.edges &&
+                            style_.opacity >= 1 && !photograph_.empty());
 }
 
 }  // namespace falciform

@@ -13,6 +13,7 @@
 #include "Logic/Core/Surface.h"
 #include "Widgets/Rendering/PatchColours.h"
 #include "Widgets/Rendering/ScalarMap.h"
+#include "Widgets/Rendering/TextureOverlay.h"
 
 namespace falciform {
 
@@ -23,7 +24,7 @@ struct SurfaceStyle {
   bool visible = true;
   bool edges = false;      ///< triangle edges
   bool frontOnly = false;  ///< leaves out triangles that face away: a see-through surface looks less busy
-  bool ownColours = true;  ///< the scan's RGB where it has one
+  bool ownColours = true;  ///< the scan's photograph or RGB where it has one
   bool patches = true;     ///< painted points in their patch's colour
   std::map<int, Vector3d> patchColours = {};  ///< in place of patchColour(label)
   int pointPx = 4;                            ///< size of a cloud's points
@@ -71,6 +72,7 @@ class SurfacePresenter {
   vtkSmartPointer<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> data_;
   vtkSmartPointer<vtkUnsignedCharArray> colours_;
+  TextureOverlay photograph_;
   std::shared_ptr<const Surface> surface_;
   std::vector<int> labels_;
   SurfaceStyle style_;
