@@ -152,7 +152,7 @@ OperatingScene makeOperatingScene(const OperatingScenePlan& plan) {
   append(scene, placed(sphere(12, 3, {140, -80, 4}), table), kTeflon);
   append(scene, placed(sphere(12, 3, {-140, -90, 4}), table), kTeflon);
 
-  const VirtualScan seen = scanSurface(scene, table.origin, scanner);
+  const VirtualScan seen = scanSurface(scene, table.origin, scanner, ScanFaultSettings{});
   OperatingScene result;
   result.scan = seen.scan;
   result.outlier.assign(static_cast<std::size_t>(seen.scan.size()), 0);
