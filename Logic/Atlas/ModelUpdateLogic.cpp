@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "Logic/Atlas/LoadFiles.h"
+#include "Logic/Atlas/ScanNext.h"
 #include "Logic/Atlas/UpdateMethods.h"
 #include "Logic/Biomechanics/LiverMesh.h"
 #include "Logic/Core/Errors.h"
@@ -14,10 +15,17 @@ bool sameShape(const std::shared_ptr<const Surface>& a, const std::shared_ptr<co
   return a && b && (a == b || (a->points.rows() == b->points.rows() && a->points == b->points));
 }
 
+bool hasItsArrays(const Surface& updated) {
+  for (const char* array : {kDisplacement, kAgainstRigid, kExpectedError, kScanGain})
+    if (!updated.arrays.contains(array)) return false;
+  return true;
+}
+
 }  // namespace
 
 ModelUpdateLogic::ModelUpdateLogic(Case& document) : case_(document) {
   watching_ = case_.changed.connect([this](Case::Part part) {
+    if (part == Case::Part::Update) takeKept();
     if (part != Case::Part::Preop) return;
     if (model_ && !(case_.preop() && model_->preop().points.rows() == case_.preop()->points.rows() &&
                     model_->preop().points == case_.preop()->points))
@@ -109,17 +117,33 @@ bool ModelUpdateLogic::accept(Result result) {
   if (!result || !sameShape(result->preop, case_.preop())) return false;
   result_ = std::move(result);
   updatedWith_ = updating_;
+  kept_ = std::make_shared<const KeptUpdate>(keptOf(*result_));
+  case_.setUpdate(kept_);
   return true;
+}
+
+// A case was opened, or is gone: its update is the result now.
+void ModelUpdateLogic::takeKept() {
+  const auto& kept = case_.update();
+  if (kept == kept_) return;
+  kept_ = kept;
+  result_.reset();
+  const bool whole = kept && kept->surface && case_.preop() && case_.scan() && case_.registration() &&
+                     kept->surface->size() == case_.preop()->size() && hasItsArrays(*kept->surface);
+  if (whole) result_ = std::make_shared<const UpdatedCase>(updatedFrom(*kept, case_));
+  updatedWith_ = settingsToJson(settings).dump();
 }
 
 std::string ModelUpdateLogic::staleReason() const {
   if (!result_) return {};
+  if (!result_->model && case_.updateStale())
+    return "Surface, scan, patches or registration changed since: update again.";
   if (result_->scan != case_.scan())
     return sameShape(result_->scan, case_.scan()) ? "The scan was painted since: update again."
                                                   : "There is another scan since: update again.";
   if (result_->preop->patch != case_.preop()->patch) return "The liver was painted since: update again.";
   if (result_->registration != case_.registration()) return "The scan was registered since: update again.";
-  if (model_ && result_->model->responses().mesh.points != model_->responses().mesh.points)
+  if (model_ && result_->model && result_->model->responses().mesh.points != model_->responses().mesh.points)
     return "Another model was prepared since: update again.";
   if (updatedWith_ != settingsToJson(settings).dump()) return "Settings have changed since: update again.";
   return {};

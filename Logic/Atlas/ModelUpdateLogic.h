@@ -43,7 +43,8 @@ class ModelUpdateLogic {
   /// What is missing before the scan can be followed, one sentence, or empty.
   [[nodiscard]] std::string missingInput() const;
   [[nodiscard]] std::function<Result(const Progress&)> prepare() const;
-  /// Dropped (false) if the liver's shape has changed meanwhile.
+  /// Dropped (false) if the liver's shape has changed meanwhile. The case keeps it, and a case that is opened
+  /// brings its own, whose `model` is nullptr.
   bool accept(Result result);
   [[nodiscard]] const Result& result() const { return result_; }
   /// Why the result no longer rests on the case as it is, one sentence, or empty.
@@ -56,7 +57,10 @@ class ModelUpdateLogic {
  private:
   Case& case_;
   Model model_;
+  void takeKept();
+
   Result result_;
+  std::shared_ptr<const KeptUpdate> kept_;  ///< of `result_`, as the case has it
   std::string preparedWith_, updatedWith_;  ///< settings as JSON
   mutable std::string preparing_, updating_;
   Connection watching_;

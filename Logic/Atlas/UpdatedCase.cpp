@@ -104,4 +104,51 @@ UpdatedCase moveCase(const CasePlaces& places, std::shared_ptr<const UpdateModel
   return made;
 }
 
+KeptUpdate keptOf(const UpdatedCase& made) {
+  KeptUpdate kept;
+  kept.surface = made.surface;
+  kept.structures = made.structures;
+  kept.targets = made.targets;
+  kept.scanFromPreop = made.update.scanFromPreop;
+  kept.expectedErrorMeanMm = made.expectedErrorMeanMm;
+  kept.rmsMm = made.update.rmsMm;
+  kept.bendMm = made.update.bendMm;
+  kept.largestMm = made.update.largestMm;
+  kept.minDetJ = made.update.minDetJ;
+  kept.effectiveParameters = made.update.effectiveParameters;
+  kept.seconds = made.update.seconds;
+  kept.iterations = made.update.iterations;
+  kept.converged = made.update.converged;
+  kept.stopReason = made.update.stopReason;
+  kept.warnings = made.update.warnings;
+  return kept;
+}
+
+UpdatedCase updatedFrom(const KeptUpdate& kept, const Case& document) {
+  UpdatedCase made;
+  made.preop = document.preop();
+  made.scan = document.scan();
+  made.registration = document.registration();
+  made.surface = kept.surface;
+  made.targets = kept.targets;
+  for (const auto& [name, structure] : kept.structures)
+    if (const auto before = document.structures().find(name); before != document.structures().end()) {
+      made.structures[name] = structure;
+      made.structuresBefore[name] = before->second;
+    }
+  made.update.scanFromPreop = kept.scanFromPreop;
+  made.expectedErrorMeanMm = kept.expectedErrorMeanMm;
+  made.update.rmsMm = kept.rmsMm;
+  made.update.bendMm = kept.bendMm;
+  made.update.largestMm = kept.largestMm;
+  made.update.minDetJ = kept.minDetJ;
+  made.update.effectiveParameters = kept.effectiveParameters;
+  made.update.seconds = kept.seconds;
+  made.update.iterations = kept.iterations;
+  made.update.converged = kept.converged;
+  made.update.stopReason = kept.stopReason;
+  made.update.warnings = kept.warnings;
+  return made;
+}
+
 }  // namespace falciform

@@ -15,21 +15,9 @@ namespace falciform {
 /// How far a place lies from where the rigid registration puts it.
 inline constexpr char kAgainstRigid[] = "against_rigid_mm";
 
-/// A place inside the liver: where it was, and where registration and update say it is now.
-struct UpdatedTarget {
-  std::string name;
-  bool structure = false;              ///< the middle of a structure's surface, not a target of the case
-  Vector3d before = Vector3d::Zero();  ///< pre-op mm
-  Vector3d rigid = Vector3d::Zero();   ///< scan mm, by the registration
-  Vector3d now = Vector3d::Zero();     ///< scan mm, by the update
-  double expectedErrorMm = 0;          ///< of `now`
-  std::optional<double> trueErrorMm;   ///< of `now`, where the truth is known
-  std::optional<double> rigidErrorMm;  ///< of `rigid`
-};
-
 /// A model update with all that a case holds moved along, and what it was made of.
 struct UpdatedCase {
-  std::shared_ptr<const UpdateModel> model;
+  std::shared_ptr<const UpdateModel> model;    ///< nullptr if it was opened with the case
   std::shared_ptr<const Surface> preop, scan;  ///< as they were
   std::shared_ptr<const RegistrationResult> registration;
   UpdateResult update;
@@ -41,6 +29,11 @@ struct UpdatedCase {
   std::vector<UpdatedTarget> targets;  ///< those of the case, then the middles of the structures
   double expectedErrorMeanMm = 0;      ///< over the surface's points
 };
+
+/// What a case keeps of it, and the reverse: with the case as it is, without model, and of the update's own
+/// result what was kept.
+[[nodiscard]] KeptUpdate keptOf(const UpdatedCase& made);
+[[nodiscard]] UpdatedCase updatedFrom(const KeptUpdate& kept, const Case& document);
 
 /// What an update makes of the case's parts. Truth is paired with targets as pairTargets does; where their
 /// numbers differ there is none, and a warning.

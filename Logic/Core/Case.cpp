@@ -25,17 +25,21 @@ void Case::setPreop(std::shared_ptr<const Surface> surface) {
   // Painting a patch makes a new surface of the same shape; supports lie on points and stay with them.
   const bool otherShape = !surface || !preop_ || surface->points.rows() != preop_->points.rows() ||
                           surface->points != preop_->points;
-  const bool dropped = otherShape && supports_ != nullptr;
+  const bool dropped = otherShape && supports_ != nullptr, withoutUpdate = otherShape && update_ != nullptr;
   if (dropped) supports_.reset();
+  if (withoutUpdate) update_.reset();
   preop_ = std::move(surface);
   registrationStale_ = registration_ != nullptr;
+  updateStale_ = update_ != nullptr;
   announceWithoutDistance(Part::Preop);
   if (dropped && !supports_) announce(Part::Supports);
+  if (withoutUpdate && !update_) announce(Part::Update);
 }
 
 void Case::setScan(std::shared_ptr<const Surface> scan) {
   scan_ = std::move(scan);
   registrationStale_ = registration_ != nullptr;
+  updateStale_ = update_ != nullptr;
   announceWithoutDistance(Part::Scan);
 }
 
@@ -60,6 +64,7 @@ void Case::setScanLandmarks(Landmarks landmarks) {
 void Case::setRegistration(std::shared_ptr<const RegistrationResult> result) {
   registration_ = std::move(result);
   registrationStale_ = false;
+  updateStale_ = update_ != nullptr;
   announceWithoutDistance(Part::Registration);
 }
 
@@ -88,31 +93,45 @@ void Case::setTruthTargets(Landmarks targets) {
   announce(Part::TruthTargets);
 }
 
+void Case::setUpdate(std::shared_ptr<const KeptUpdate> update, bool stale) {
+  update_ = std::move(update);
+  updateStale_ = stale && update_ != nullptr;
+  announce(Part::Update);
+}
+
 void Case::setName(std::string name) {
   name_ = std::move(name);
   announce(Part::Name);
 }
 
-void Case::clear() {
-  labels_.reset();
-  preop_.reset();
-  scan_.reset();
-  structures_.clear();
-  preopLandmarks_ = {};
-  scanLandmarks_ = {};
-  registration_.reset();
-  distance_.reset();
-  supports_.reset();
-  ct_.reset();
-  targets_ = {};
-  truthTargets_ = {};
-  name_ = "Untitled";
-  registrationStale_ = false;
+void Case::announceAll() {
   for (const Part part : {Part::Labels, Part::Preop, Part::Scan, Part::Structures, Part::PreopLandmarks,
                           Part::ScanLandmarks, Part::Registration, Part::Distance, Part::Supports, Part::Ct,
-                          Part::Targets, Part::TruthTargets, Part::Name})
+                          Part::Targets, Part::TruthTargets, Part::Update, Part::Name})
     changed.emit(part);
-  modified_ = false;
 }
+
+void Case::adopt(const Case& other) {
+  labels_ = other.labels_;
+  preop_ = other.preop_;
+  scan_ = other.scan_;
+  structures_ = other.structures_;
+  preopLandmarks_ = other.preopLandmarks_;
+  scanLandmarks_ = other.scanLandmarks_;
+  registration_ = other.registration_;
+  registrationStale_ = other.registrationStale_;
+  distance_ = other.distance_;
+  supports_ = other.supports_;
+  ct_ = other.ct_;
+  targets_ = other.targets_;
+  truthTargets_ = other.truthTargets_;
+  update_ = other.update_;
+  updateStale_ = other.updateStale_;
+  name_ = other.name_;
+  announceAll();
+  modified_ = other.modified_;
+}
+
+void Case::clear() { adopt(Case()); }
 
 }  // namespace falciform

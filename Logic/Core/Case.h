@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "Logic/Core/KeptUpdate.h"
 #include "Logic/Core/Landmarks.h"
 #include "Logic/Core/Results.h"
 #include "Logic/Core/Signal.h"
@@ -30,6 +31,7 @@ class Case {
     Ct,
     Targets,
     TruthTargets,
+    Update,
     Name
   };
 
@@ -56,13 +58,18 @@ class Case {
   [[nodiscard]] const Landmarks& targets() const { return targets_; }
   /// and, in trials, where they truly are, scan mm.
   [[nodiscard]] const Landmarks& truthTargets() const { return truthTargets_; }
+  /// What the last model update came to, or nullptr.
+  [[nodiscard]] const std::shared_ptr<const KeptUpdate>& update() const { return update_; }
+  /// True when surface, patches, scan or registration changed after the update was made.
+  [[nodiscard]] bool updateStale() const { return updateStale_; }
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool modified() const { return modified_; }
   /// True when surface or patches changed after the registration was made: it is kept, and marked stale.
   [[nodiscard]] bool registrationStale() const { return registrationStale_; }
 
   void setLabels(std::shared_ptr<const LabelMap> labels);
-  /// Marks the registration stale, drops the distance map, and the supports of a surface of another shape.
+  /// Marks registration and update stale, drops the distance map, and supports and update of a surface of
+  /// another shape.
   void setPreop(std::shared_ptr<const Surface> surface);
   void setScan(std::shared_ptr<const Surface> scan);                                   ///< the same
   void setStructure(const std::string& name, std::shared_ptr<const Surface> surface);  ///< nullptr removes it
@@ -74,7 +81,11 @@ class Case {
   void setCt(std::shared_ptr<const Image> ct);
   void setTargets(Landmarks targets);
   void setTruthTargets(Landmarks targets);
+  void setUpdate(std::shared_ptr<const KeptUpdate> update, bool stale = false);
   void setName(std::string name);
+
+  /// Everything as in `other`, saved or not as `other` is; all is there when the first part is announced.
+  void adopt(const Case& other);
 
   /// Everything gone, as after construction; connections stay.
   void clear();
@@ -84,6 +95,7 @@ class Case {
  private:
   void announce(Part part);
   void announceWithoutDistance(Part part);
+  void announceAll();
 
   std::shared_ptr<const LabelMap> labels_;
   std::shared_ptr<const Surface> preop_, scan_;
@@ -94,8 +106,9 @@ class Case {
   std::shared_ptr<const SupportPainting> supports_;
   std::shared_ptr<const Image> ct_;
   Landmarks targets_, truthTargets_;
+  std::shared_ptr<const KeptUpdate> update_;
   std::string name_ = "Untitled";
-  bool modified_ = false, registrationStale_ = false;
+  bool modified_ = false, registrationStale_ = false, updateStale_ = false;
 };
 
 }  // namespace falciform

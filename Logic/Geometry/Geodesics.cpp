@@ -44,6 +44,11 @@ class Wave {
     }
   }
 
+  void start(const std::vector<int>& seeds) {
+    oneSeed_ = false;
+    for (const int seed : seeds) improve(seed, 0, 0);
+  }
+
   void run() {
     while (!front_.empty()) {
       const auto [distance, vertex] = front_.top();
@@ -89,7 +94,8 @@ class Wave {
   /// reached straight only between two of which one is beyond.
   void improve(int vertex, double distance, double margin) {
     if (!(distance <= radius_ + margin)) return;
-    distance = std::max(distance, (at(vertex) - seed_).norm());  // no way is shorter than the straight one
+    // No way is shorter than the straight one.
+    if (oneSeed_) distance = std::max(distance, (at(vertex) - seed_).norm());
     const auto known = distance_.find(vertex);
     if (known == distance_.end()) {
       if (isAllowed_ && !isAllowed_(vertex)) return;
@@ -105,6 +111,7 @@ class Wave {
   const Surface& surface_;
   const Adjacency& triangles_;
   Vector3d seed_;
+  bool oneSeed_ = true;
   double radius_;
   const std::function<bool(int)>& isAllowed_;
   std::unordered_map<int, double> distance_;
@@ -130,6 +137,16 @@ std::vector<GeodesicPoint> withinGeodesicRadius(const Surface& surface, const Ad
     return allowed[static_cast<std::size_t>(vertex)] != 0;
   };
   return withinGeodesicRadius(surface, trianglesOfVertex, seedTriangle, seed, radius, isAllowed);
+}
+
+std::vector<GeodesicPoint> withinGeodesicRadius(const Surface& surface, const Adjacency& trianglesOfVertex,
+                                                const std::vector<int>& seeds, double radius) {
+  if (!(radius >= 0)) return {};
+  const std::function<bool(int)> all;
+  Wave wave(surface, trianglesOfVertex, Vector3d::Zero(), radius, all);
+  wave.start(seeds);
+  wave.run();
+  return wave.result();
 }
 
 }  // namespace falciform

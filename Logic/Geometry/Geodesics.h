@@ -30,4 +30,11 @@ struct GeodesicPoint {
                                                               double radius,
                                                               const std::function<bool(int)>& isAllowed);
 
+/// Vertices within `radius` mm of the nearest of the vertices `seeds` along the surface, these included,
+/// nearest first. Exact to about an edge's length beside the seeds, as the border between vertices is not
+/// known better.
+[[nodiscard]] std::vector<GeodesicPoint> withinGeodesicRadius(const Surface& surface,
+                                                              const Adjacency& trianglesOfVertex,
+                                                              const std::vector<int>& seeds, double radius);
+
 }  // namespace falciform

@@ -29,6 +29,8 @@ constexpr TextKey kFileKeys[]{{"labelMap", &CaseDescription::labelMap},
                               {"registration", &CaseDescription::registration},
                               {"distance", &CaseDescription::distance},
                               {"supports", &CaseDescription::supports},
+                              {"update", &CaseDescription::update},
+                              {"view", &CaseDescription::view},
                               {"ct", &CaseDescription::ct},
                               {"targets", &CaseDescription::targets},
                               {"truthTargets", &CaseDescription::truthTargets}};

@@ -9,6 +9,7 @@
 #include "Logic/IO/SupportFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/IO/TransformFiles.h"
+#include "Logic/IO/UpdateFiles.h"
 #include "Logic/IO/VolumeFiles.h"
 
 namespace falciform {
@@ -38,6 +39,7 @@ CaseDescription keptFrom(const fs::path& folder, const Case& document) {
   if (fs::exists(folder / "case.json")) {
     const CaseDescription old = readCaseDescription(folder);
     kept.settings = old.settings;
+    if (fs::exists(folder / old.view)) kept.view = old.view;
     kept.targets = old.targets;
     kept.truthTargets = old.truthTargets;
     if (document.labels()) kept.labels = old.labels;
@@ -93,13 +95,27 @@ class CaseSaver {
     return file;
   }
   std::vector<std::pair<std::string, std::string>> save(
-      const std::map<std::string, std::shared_ptr<const Surface>>& structures) const {
+      const std::map<std::string, std::shared_ptr<const Surface>>& structures,
+      const std::string& into = "structures") const {
     std::vector<std::pair<std::string, std::string>> files;
     std::set<std::string> taken;
-    if (!structures.empty()) makeFolder(folder_ / "structures");
+    if (!structures.empty()) makeFolder(folder_ / into);
     for (const auto& [name, surface] : structures)
-      files.emplace_back(name, save(surface, "structures/" + fileNameFor(name, taken)));
+      files.emplace_back(name, save(surface, into + "/" + fileNameFor(name, taken)));
     return files;
+  }
+  std::string save(const std::shared_ptr<const KeptUpdate>& update, bool stale,
+                   const std::string& file) const {
+    if (!update || !update->surface) return {};
+    makeFolder(folder_ / "update");
+    nlohmann::json json = toJson(*update);
+    json["stale"] = stale;
+    json["surface"] = save(update->surface, "update/updated.vtp");
+    json["structures"] = nlohmann::json::object();
+    for (const auto& [name, structure] : save(update->structures, "update/structures"))
+      json["structures"][name] = structure;
+    writeJsonFile(folder_ / file, json, overwrite_);
+    return file;
   }
 
  private:
@@ -126,6 +142,8 @@ class CaseOpener {
     const auto registration = readRegistration(stale);
     const auto distance = readDistance();
     const auto supports = readSupports(preop);
+    bool updateStale = false;
+    const auto update = readUpdate(preop, updateStale);
 
     document.clear();
     document.setName(from_.name);
@@ -143,6 +161,7 @@ class CaseOpener {
     if (ct) document.setCt(ct);
     if (distance) document.setDistance(distance);
     if (supports) document.setSupports(supports);
+    if (update) document.setUpdate(update, updateStale);
     document.setUnmodified();
     if (!from_.preopPatches.empty())
       warnings_.push_back("the patches of '" + from_.preopPatches +
@@ -205,13 +224,35 @@ class CaseOpener {
     return shared(supportPaintingFromJson(readJsonFile(from_.folder / from_.supports), preop->size()));
   }
 
+  std::shared_ptr<const KeptUpdate> readUpdate(const std::shared_ptr<const Surface>& preop, bool& stale) {
+    if (from_.update.empty()) return nullptr;
+    const fs::path file = from_.folder / from_.update;
+    const nlohmann::json json = readJsonFile(file);
+    KeptUpdate update = keptUpdateFromJson(json);
+    stale = json.value("stale", nlohmann::json(false)) == true;
+    const auto named = [&](const nlohmann::json& value, const std::string& key) {
+      if (!value.is_string()) throw InputError(file.filename().string() + ": '" + key + "' must name a file");
+      return shared(take(readSurface(file.parent_path() / value.get<std::string>())));
+    };
+    update.surface = named(json.value("surface", nlohmann::json()), "surface");
+    if (!preop || update.surface->size() != preop->size())
+      throw InputError(file.filename().string() +
+                       " is of another surface than 'preop'; update the model again");
+    const nlohmann::json structures = json.value("structures", nlohmann::json::object());
+    if (!structures.is_object())
+      throw InputError(file.filename().string() + ": 'structures' must be an object");
+    for (const auto& [name, value] : structures.items())
+      update.structures[name] = named(value, "structures." + name);
+    return shared(std::move(update));
+  }
+
   CaseDescription from_;
   std::vector<std::string> warnings_;
 };
 
 }  // namespace
 
-void saveCase(const Case& document, const fs::path& folder, Overwrite overwrite) {
+void saveCase(const Case& document, const fs::path& folder, Overwrite overwrite, const nlohmann::json& view) {
   makeFolder(folder);
   if (overwrite == Overwrite::Refuse && fs::exists(folder / "case.json"))
     throw InputError("'" + folder.string() +
@@ -230,7 +271,9 @@ void saveCase(const Case& document, const fs::path& folder, Overwrite overwrite)
       saver.save(document.registration(), document.registrationStale(), "registration.json");
   description.distance = saver.save(document.distance(), "distance.json");
   description.supports = saver.save(document.supports(), "supports.json");
+  description.update = saver.save(document.update(), document.updateStale(), "update.json");
   description.ct = saver.save(document.ct(), "ct.nii.gz");
+  if (!view.empty()) writeJsonFile(folder / (description.view = "view.json"), view, overwrite);
   if (!document.targets().points.empty())
     description.targets = saver.save(document.targets(), "targets.mrk.json");
   if (!document.truthTargets().points.empty())

@@ -25,6 +25,8 @@ struct CaseDescription {
   std::string distance;      ///< saved distance map (.json; its surfaces lie beside it)
   std::string ct;            ///< the CT that the surface was made of
   std::string supports;      ///< painted supports of the pre-op surface (.json)
+  std::string update;        ///< what a model update came to (.json; its surfaces lie beside it)
+  std::string view;          ///< how the window showed the case (.json); nothing is computed from it
   nlohmann::json settings =
       nlohmann::json::object();  ///< {"import": {...}, "registration": {...}, "distance": {...}}
   std::string targets,
@@ -36,8 +38,9 @@ struct CaseDescription {
 void writeCaseDescription(const CaseDescription& description, Overwrite overwrite);
 
 /// Saves everything the case holds into `folder` with its case.json (whole-case save; registration.json holds
-/// the result).
-void saveCase(const Case& document, const std::filesystem::path& folder, Overwrite overwrite);
+/// the result). A `view` that is not empty becomes view.json; else what stands there is kept.
+void saveCase(const Case& document, const std::filesystem::path& folder, Overwrite overwrite,
+              const nlohmann::json& view = {});
 /// Clears `document` and fills it from a folder that saveCase or the user wrote; returns warnings of the
 /// readers.
 std::vector<std::string> openCase(Case& document, const std::filesystem::path& folderOrFile);

@@ -24,6 +24,20 @@ double meanSpacing(const KdTree& tree, const Points& points) {
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
+/// Ends of the edges that belong to one triangle alone.
+std::vector<char> borderOf(const Surface& mesh, const Adjacency& trianglesOfVertex) {
+  std::vector<char> border(static_cast<std::size_t>(mesh.size()), 0);
+  for (Index t = 0; t < mesh.triangles.rows(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles(t, k), b = mesh.triangles(t, (k + 1) % 3);
+      int shared = 0;
+      for (const int* of = trianglesOfVertex.begin(a); of != trianglesOfVertex.end(a); ++of)
+        shared += (mesh.triangles.row(*of).array() == b).any() ? 1 : 0;
+      if (shared < 2) border[static_cast<std::size_t>(a)] = border[static_cast<std::size_t>(b)] = 1;
+    }
+  return border;
+}
+
 }  // namespace
 
 BrushSurface::BrushSurface(const Surface& surface) {
@@ -32,11 +46,14 @@ BrushSurface::BrushSurface(const Surface& surface) {
   if (surface.triangles.rows() > 0) {
     shape_.normals = vertexNormals(surface);
     trianglesOfVertex_ = trianglesOfVertices(surface.triangles, surface.size());
+    onBorder_ = borderOf(surface, trianglesOfVertex_);
   } else if (surface.size() > 0) {
     shape_.normals = surface.normals;
     tree_ = KdTree(surface.points);
     link_ = 3 * meanSpacing(tree_, surface.points);
   }
+  weights_ = vertexAreas(shape_);
+  onBorder_.resize(static_cast<std::size_t>(shape_.size()), 0);
 }
 
 bool BrushSurface::madeFrom(const Surface& surface) const {
@@ -90,6 +107,34 @@ std::vector<int> BrushSurface::underOnCloud(const Vector3d& hit, const Vector3d&
   for (std::size_t next = 0; next < ids.size(); ++next)
     for (const int neighbour : tree_.within(shape_.points.row(ids[next]).transpose(), link_))
       reach(neighbour);
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+void BrushSurface::neighbours(int point, std::vector<int>& result) const {
+  if (isCloud()) {
+    result = tree_.within(shape_.points.row(point).transpose(), link_);
+    return;
+  }
+  result.clear();
+  for (const int* t = trianglesOfVertex_.begin(point); t != trianglesOfVertex_.end(point); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (const int other = shape_.triangles(*t, k); other != point) result.push_back(other);
+}
+
+std::vector<int> BrushSurface::around(const std::vector<int>& seeds, double radius) const {
+  std::vector<int> ids;
+  if (isCloud()) {
+    std::vector<char> found(static_cast<std::size_t>(shape_.size()), 0);
+    for (const int seed : seeds)
+      for (const int id : tree_.within(shape_.points.row(seed).transpose(), radius))
+        found[static_cast<std::size_t>(id)] = 1;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i] != 0) ids.push_back(static_cast<int>(i));
+    return ids;
+  }
+  for (const GeodesicPoint& point : withinGeodesicRadius(shape_, trianglesOfVertex_, seeds, radius))
+    ids.push_back(point.vertex);
   std::sort(ids.begin(), ids.end());
   return ids;
 }

@@ -21,6 +21,15 @@ struct Canvas {
   std::vector<int> labels;
   std::optional<BrushSurface> brush;  ///< made at the first stroke
   std::deque<PatchEdit> undo, redo;
+  std::shared_ptr<const Curvatures> curvatures;
+  PathSnap costOf = PathSnap::None;  ///< what `cost` was made for
+  VectorXd cost;
+
+  void forgetCurvatures() {
+    curvatures.reset();
+    costOf = PathSnap::None;
+    cost.resize(0);
+  }
 
   void take(const std::shared_ptr<const Surface>& newSurface, const std::vector<int>& newLabels) {
     surface = newSurface;
@@ -29,6 +38,7 @@ struct Canvas {
     undo.clear();
     redo.clear();
     if (brush && !(surface && brush->madeFrom(*surface))) brush.reset();
+    forgetCurvatures();
   }
 
   void assign(const std::vector<int>& ids, const std::vector<int>& values) {
@@ -65,6 +75,11 @@ std::shared_ptr<const SupportPainting> repainted(const Case& document, const std
   return std::make_shared<const SupportPainting>(std::move(painting));
 }
 
+bool sameButNames(const Surface& a, const Surface& b) {
+  return a.points.rows() == b.points.rows() && a.triangles.rows() == b.triangles.rows() &&
+         a.patch == b.patch && a.points == b.points && a.triangles == b.triangles;
+}
+
 PatchEdit reversed(const PatchEdit& edit) { return {edit.ids, edit.after, edit.before}; }
 
 }  // namespace
@@ -73,15 +88,21 @@ struct PatchPaintingLogic::State {
   std::array<Canvas, 3> canvases;
   std::optional<PaintTarget> strokeOn;
   std::map<int, int> strokeBefore;  ///< of the running stroke: id, label before it
+  std::set<int> locked;
   Connection watching;
 
   Canvas& of(PaintTarget which) { return canvases[static_cast<std::size_t>(which)]; }
 
   /// Another surface in the case: what was painted on the old one is history.
   void follow(PaintTarget which, const std::shared_ptr<const Surface>& inCase) {
-    if (inCase == of(which).surface) return;  // our own edit
+    Canvas& canvas = of(which);
+    if (inCase == canvas.surface) return;  // our own edit
+    if (inCase && canvas.surface && sameButNames(*inCase, *canvas.surface)) {
+      canvas.surface = inCase;  // a patch has got a name: no news to the brush
+      return;
+    }
     dropStroke(which);
-    of(which).take(inCase, patchesOf(inCase));
+    canvas.take(inCase, patchesOf(inCase));
   }
 
   /// Supports lie on the pre-operative surface, whose patches may be painted meanwhile, and their kinds and
@@ -142,11 +163,46 @@ std::string PatchPaintingLogic::missingInput() const {
   return target == PaintTarget::Scan ? "Open a scan first." : "Import or open a surface first.";
 }
 
-void PatchPaintingLogic::beginStroke() {
-  if (inStroke()) endStroke();
-  if (!missingInput().empty()) return;
+void PatchPaintingLogic::setLocked(int which, bool on) {
+  if (on)
+    state_->locked.insert(which);
+  else
+    state_->locked.erase(which);
+}
+
+const std::set<int>& PatchPaintingLogic::locked() const { return state_->locked; }
+
+std::string PatchPaintingLogic::refusal() const {
+  if (std::string missing = missingInput(); !missing.empty()) return missing;
+  if (target == PaintTarget::Supports || label == patch::kNone || !state_->locked.contains(label)) return {};
+  return "The patch '" + patchName(*state_->of(target).surface, label) +
+         "' is locked: unlock it to paint it.";
+}
+
+int PatchPaintingLogic::painted(PaintTarget on, int current, int value) const {
+  if (on == PaintTarget::Supports || current == value) return value;
+  if (state_->locked.contains(current) || state_->locked.contains(value)) return current;
+  const bool kept = current != patch::kNone && value != patch::kNone && !replaces;
+  return kept ? current : value;
+}
+
+bool PatchPaintingLogic::touchesLocked(const PatchEdit& edit) const {
+  if (target == PaintTarget::Supports || state_->locked.empty()) return false;
+  const auto isLocked = [&](int value) { return state_->locked.contains(value); };
+  return std::any_of(edit.before.begin(), edit.before.end(), isLocked) ||
+         std::any_of(edit.after.begin(), edit.after.end(), isLocked);
+}
+
+const BrushSurface* PatchPaintingLogic::surface() {
+  if (!missingInput().empty()) return nullptr;
   Canvas& canvas = state_->of(target);
   if (!canvas.brush) canvas.brush.emplace(*canvas.surface);
+  return &*canvas.brush;
+}
+
+void PatchPaintingLogic::beginStroke() {
+  if (inStroke()) endStroke();
+  if (surface() == nullptr) return;
   state_->strokeOn = target;
 }
 
@@ -158,12 +214,13 @@ PatchEdit PatchPaintingLogic::dab(int triangle, const Vector3d& hit, const Vecto
   const int value = std::clamp(label, patch::kNone, patch::kMax);
   for (const int id : canvas.brush->under(triangle, hit, viewDirection, radius)) {
     int& current = canvas.labels[static_cast<std::size_t>(id)];
-    if (current == value) continue;
+    const int after = painted(*state_->strokeOn, current, value);
+    if (current == after) continue;
     state_->strokeBefore.emplace(id, current);  // keeps the first value of the stroke
     edit.ids.push_back(id);
     edit.before.push_back(current);
-    edit.after.push_back(value);
-    current = value;
+    edit.after.push_back(after);
+    current = after;
   }
   return edit;
 }
@@ -192,9 +249,15 @@ bool PatchPaintingLogic::inStroke() const { return state_->strokeOn.has_value();
 
 const std::vector<int>& PatchPaintingLogic::labels() const { return state_->of(target).labels; }
 
-bool PatchPaintingLogic::canUndo() const { return !inStroke() && !state_->of(target).undo.empty(); }
+bool PatchPaintingLogic::canUndo() const {
+  const auto& steps = state_->of(target).undo;
+  return !inStroke() && !steps.empty() && !touchesLocked(steps.back());
+}
 
-bool PatchPaintingLogic::canRedo() const { return !inStroke() && !state_->of(target).redo.empty(); }
+bool PatchPaintingLogic::canRedo() const {
+  const auto& steps = state_->of(target).redo;
+  return !inStroke() && !steps.empty() && !touchesLocked(steps.back());
+}
 
 PatchEdit PatchPaintingLogic::undo() {
   if (!canUndo()) return {};
@@ -218,6 +281,51 @@ PatchEdit PatchPaintingLogic::redo() {
   return again;
 }
 
+void PatchPaintingLogic::setCurvatures(const std::shared_ptr<const Surface>& of,
+                                       std::shared_ptr<const Curvatures> curvatures) {
+  for (Canvas& canvas : state_->canvases) {
+    // Painted meanwhile it is another Surface of the same shape.
+    if (!of || !canvas.surface || canvas.surface->points.rows() != of->points.rows() ||
+        canvas.surface->points != of->points)
+      continue;
+    canvas.forgetCurvatures();
+    canvas.curvatures = curvatures;
+  }
+}
+
+bool PatchPaintingLogic::hasCurvatures() const { return state_->of(target).curvatures != nullptr; }
+
+const VectorXd& PatchPaintingLogic::pathCost() {
+  Canvas& canvas = state_->of(target);
+  if (canvas.costOf != snap) {
+    canvas.costOf = snap;
+    canvas.cost =
+        snap == PathSnap::None || !canvas.curvatures ? VectorXd() : snapCost(*canvas.curvatures, snap);
+    if (!canvas.curvatures) canvas.costOf = PathSnap::None;
+  }
+  return canvas.cost;
+}
+
+PatchEdit PatchPaintingLogic::paint(const std::vector<int>& ids) {
+  std::vector<int> after = labels();
+  const int value = std::clamp(label, patch::kNone, patch::kMax);
+  for (const int id : ids) {
+    int& current = after.at(static_cast<std::size_t>(id));
+    current = painted(target, current, value);
+  }
+  return replaceLabels(after);
+}
+
+PatchEdit PatchPaintingLogic::apply(const PatchChange& change, int which) {
+  std::vector<int> after = labels();
+  for (const int id : change.gained) {
+    int& current = after.at(static_cast<std::size_t>(id));
+    current = painted(target, current, which);
+  }
+  for (const int id : change.lost) after.at(static_cast<std::size_t>(id)) = patch::kNone;
+  return replaceLabels(after);
+}
+
 PatchEdit PatchPaintingLogic::clearPatch(int which) {
   if (which == patch::kNone) return {};
   std::vector<int> labels = state_->of(target).labels;
@@ -233,7 +341,9 @@ PatchEdit PatchPaintingLogic::replaceLabels(const std::vector<int>& labels) {
     throw InputError("there are " + std::to_string(labels.size()) + " labels for a surface of " +
                      std::to_string(canvas.labels.size()) + " points; take labels of the same surface");
   for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (canvas.labels[i] == labels[i]) continue;
+    const bool kept = target != PaintTarget::Supports &&
+                      (state_->locked.contains(canvas.labels[i]) || state_->locked.contains(labels[i]));
+    if (canvas.labels[i] == labels[i] || kept) continue;
     edit.ids.push_back(static_cast<int>(i));
     edit.before.push_back(canvas.labels[i]);
     edit.after.push_back(labels[i]);

@@ -27,6 +27,11 @@ void CaseActions::newCase() {
   ifNothingIsLost([this] {
     folder_.clear();
     bench_.document.clear();
+    bench_.view.edit([](ViewOptions& options) {
+      options.looks.clear();
+      options.patchLooks.clear();
+    });
+    Q_EMIT settled();
     bench_.log.info(tr("New case."));
   });
 }
@@ -40,6 +45,7 @@ void CaseActions::openCase(const QString& path) {
   ifNothingIsLost([this, path] {
     bench_.files.open(path.toStdString(), FileRole::Case, [this, path] {
       folder_ = caseFolderOf(path);
+      Q_EMIT settled();
       recent_.add(folder_);
       QSettings().setValue("lastFolder", QFileInfo(folder_).absolutePath());
     });
@@ -75,8 +81,18 @@ void CaseActions::saveTo(const QString& folder, std::function<void()> done) {
     folder_ = QFileInfo(folder).absoluteFilePath();
     recent_.add(folder_);
     QSettings().setValue("lastFolder", QFileInfo(folder_).absolutePath());
+    if (!bench_.document.modified()) Q_EMIT settled();
     if (done) done();
   });
+}
+
+void CaseActions::recover(const Recovery::Found& found, std::function<void()> done) {
+  bench_.files.open((found.folder + "/case").toStdString(), FileRole::Case,
+                    [this, found, done = std::move(done)] {
+                      folder_ = found.caseFolder;
+                      bench_.document.setName(bench_.document.name());  // not saved where it belongs
+                      if (done) done();
+                    });
 }
 
 void CaseActions::ifNothingIsLost(std::function<void()> next) {
@@ -95,6 +111,7 @@ void CaseActions::ifNothingIsLost(std::function<void()> next) {
       });
       break;
     case QMessageBox::Discard:
+      Q_EMIT settled();
       next();
       break;
     default:

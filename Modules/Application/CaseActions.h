@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "Modules/Application/Recovery.h"
 #include "Modules/Workbench.h"
 
 namespace falciform {
@@ -30,6 +31,14 @@ class CaseActions : public QObject {
 
   /// Where the case was opened from or saved to; empty for a new one.
   [[nodiscard]] const QString& folder() const { return folder_; }
+
+ Q_SIGNALS:
+  /// Saved, discarded or replaced: what was there is not to be recovered.
+  void settled();
+
+ public:
+  /// Opens what a session that ended badly has left, as changes of the case it belongs to.
+  void recover(const Recovery::Found& found, std::function<void()> done);
 
  private:
   Workbench& bench_;

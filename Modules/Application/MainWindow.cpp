@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QHBoxLayout>
+#include <QMessageBox>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
@@ -13,12 +14,16 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "Modules/Application/Appearance.h"
 #include "Modules/Application/CaseActions.h"
 #include "Modules/Application/FileOpener.h"
 #include "Modules/Application/Menus.h"
 #include "Modules/Application/RecentCases.h"
+#include "Modules/Application/Recovery.h"
+#include "Modules/Application/WindowState.h"
 #include "Modules/ModuleList.h"
 #include "Modules/ModulePanel.h"
+#include "Modules/NextStep.h"
 #include "Version.h"
 #include "Widgets/Jobs/JobBar.h"
 #include "Widgets/Jobs/LogView.h"
@@ -56,7 +61,8 @@ MainWindow::MainWindow(Workbench& bench)
       views_(new CaseViews(bench.document, bench.view, bench.painting, this)),
       recent_(new RecentCases(this)),
       actions_(new CaseActions(bench, *recent_, this)),
-      opener_(new FileOpener(bench, *actions_, this)) {
+      opener_(new FileOpener(bench, *actions_, this)),
+      recovery_(new Recovery(bench, this)) {
   setObjectName("mainWindow");
   setCentralWidget(views_);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
@@ -77,13 +83,31 @@ MainWindow::MainWindow(Workbench& bench)
     showTitle();
     if (closing_) QTimer::singleShot(0, this, &QWidget::close);
   });
-  caseChanged_ = bench_.document.changed.connect([this](Case::Part) { showTitle(); });
+  caseChanged_ = bench_.document.changed.connect([this](Case::Part) {
+    showTitle();
+    showNextStep();
+  });
+  bench_.files.viewToSave = [this] {
+    return lookOfWindow(bench_, *view(), selector_->currentData().toString());
+  };
+  bench_.files.viewOpened = [this](const nlohmann::json& state) {
+    restoreWindow(state, bench_, *view(), [this](const QString& key) { showModule(key); });
+  };
+  recovery_->caseFolder = [this] { return actions_->folder(); };
+  connect(actions_, &CaseActions::settled, recovery_, &Recovery::forget);
+  bench_.view.edit([](ViewOptions& options) { options.darkScene = darkTheme(); });
+  warned_ = bench_.view.warned.connect(
+      [this](const std::string& why) { bench_.log.warn(QString::fromStdString(why)); });
   showTitle();
+  showNextStep();
   resize(1280, 800);
   showModuleAt(0);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  bench_.files.viewToSave = nullptr;
+  bench_.files.viewOpened = nullptr;
+}
 
 void MainWindow::addModules() {
   auto* side = new QWidget(this);
@@ -99,6 +123,18 @@ void MainWindow::addModules() {
   row->addWidget(selector_, 1);
   row->addWidget(next);
   column->addLayout(row);
+  next_ = new QToolButton(side);
+  next_->setObjectName("nextStep");
+  next_->setToolTip(tr("What this case needs next; click to go there"));
+  next_->setAutoRaise(true);
+  next_->setFocusPolicy(Qt::TabFocus);
+  next_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  next_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(next_, &QToolButton::clicked, this, &MainWindow::goToNextStep);
+  auto* nextRow = new QHBoxLayout;
+  nextRow->setContentsMargins(8, 0, 8, 0);
+  nextRow->addWidget(next_);
+  column->addLayout(nextRow);
   column->addWidget(panels_, 1);
   panels_->setObjectName("panels");
   for (const Module& module : moduleList()) {
@@ -144,6 +180,7 @@ void MainWindow::addMenus() {
   };
   targets.screenshot = [this] { savePicture("falciform.png"); };
   targets.close = [this] { close(); };
+  targets.step = [this](int by) { showModuleAt(panels_->currentIndex() + by); };
   Menus::addTo(*this, targets);
 }
 
@@ -177,6 +214,40 @@ void MainWindow::showTitle() {
   setWindowModified(bench_.document.modified());
 }
 
+void MainWindow::showNextStep() { next_->setText(tr("Next: %1").arg(nextStep(bench_.document).words)); }
+
+void MainWindow::goToNextStep() {
+  const NextStep step = nextStep(bench_.document);
+  if (step.target) bench_.painting.target = *step.target;
+  showModule(step.module);
+  bench_.view.brushChanged.emit();
+}
+
+void MainWindow::offerRecovery() {
+  const QList<Recovery::Found> left = recovery_->left();
+  if (left.isEmpty()) return;
+  const Recovery::Found found = left.front();
+  QMessageBox box(
+      QMessageBox::Question, tr("Recover the last case"),
+      tr("The program ended unexpectedly. Of the case \"%1\" there are changes of %2 that were not saved.")
+          .arg(found.name, found.time),
+      QMessageBox::Open | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setObjectName("recovery");
+  box.setInformativeText(tr("Open them? Discard deletes them; Cancel asks again at the next start."));
+  box.setDefaultButton(QMessageBox::Open);
+  const int answer = box.exec();
+  if (answer == QMessageBox::Discard) return Recovery::remove(found);
+  if (answer != QMessageBox::Open) return;
+  actions_->recover(found, [this, found] {
+    recovery_->keep();  // under this session's name, before the old one goes
+    Recovery::remove(found);
+    QStringList rest;
+    for (const QString& file : {found.ct, found.labels})
+      if (!file.isEmpty() && QFileInfo::exists(file)) rest << file;
+    QTimer::singleShot(0, this, [this, rest] { open(rest); });
+  });
+}
+
 void MainWindow::savePicture(const QString& suggestedName) {
   QSettings settings;
   QString file = QFileDialog::getSaveFileName(this, tr("Save picture"),
@@ -194,7 +265,10 @@ void MainWindow::savePicture(const QString& suggestedName) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (closing_ && !bench_.runner.busy()) return event->accept();
+  if (closing_ && !bench_.runner.busy()) {
+    recovery_->forget();
+    return event->accept();
+  }
   event->ignore();
   if (closing_) return;
   actions_->ifNothingIsLost([this] {

@@ -6,6 +6,7 @@
 
 class QComboBox;
 class QStackedWidget;
+class QToolButton;
 
 namespace falciform {
 
@@ -15,6 +16,7 @@ class CaseViews;
 class FileOpener;
 class ModulePanel;
 class RecentCases;
+class Recovery;
 
 /// The window: selector and panel of the module on the left, the 3D view in the middle, the case's parts on
 /// the right, job and log at the foot. It only places these; what they do is theirs.
@@ -33,6 +35,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ModulePanel* currentPanel() const;
   [[nodiscard]] CaseView3D* view() const;
   [[nodiscard]] CaseViews& views() const { return *views_; }
+  [[nodiscard]] Recovery& recovery() const { return *recovery_; }
+  /// Asks whether to go on with what a session that ended badly has left, if there is any.
+  void offerRecovery();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -43,6 +48,8 @@ class MainWindow : public QMainWindow {
   void addMenus();
   void showModuleAt(int index);
   void showTitle();
+  void showNextStep();
+  void goToNextStep();
   void savePicture(const QString& suggestedName);
 
   Workbench& bench_;
@@ -52,8 +59,10 @@ class MainWindow : public QMainWindow {
   RecentCases* recent_;
   CaseActions* actions_;
   FileOpener* opener_;
+  Recovery* recovery_;
+  QToolButton* next_ = nullptr;
   bool closing_ = false;  // the user has agreed to close; a job may still be stopping
-  Connection caseChanged_;
+  Connection caseChanged_, warned_;
 };
 
 }  // namespace falciform

@@ -6,8 +6,10 @@
 #include <QMenuBar>
 
 #include "Modules/Application/AboutDialog.h"
+#include "Modules/Application/Appearance.h"
 #include "Modules/Application/CaseActions.h"
 #include "Modules/Application/RecentCases.h"
+#include "Modules/Application/ShortcutSheet.h"
 #include "Widgets/Views/CaseView3D.h"
 
 namespace falciform {
@@ -21,6 +23,22 @@ void addEntry(QMenu* menu, const char* name, const QString& text, const QKeySequ
   action->setToolTip(tip);
   action->setStatusTip({});
   QObject::connect(action, &QAction::triggered, menu, std::move(call));
+}
+
+/// An entry that is on or off; looked up when the menu opens, since others may change it too.
+void addTick(QMenu* menu, const char* name, const QString& text, const QKeySequence& keys, const QString& tip,
+             std::function<bool()> isOn, std::function<void(bool)> set) {
+  QAction* action = menu->addAction(text);
+  action->setObjectName(name);
+  action->setShortcut(keys);
+  action->setToolTip(tip);
+  action->setCheckable(true);
+  action->setChecked(isOn());
+  QObject::connect(menu, &QMenu::aboutToShow, action, [action, isOn] { action->setChecked(isOn()); });
+  QObject::connect(action, &QAction::triggered, action, [action, isOn, set = std::move(set)] {
+    set(!isOn());
+    action->setChecked(isOn());
+  });
 }
 
 }  // namespace
@@ -69,11 +87,32 @@ void Menus::addTo(QMainWindow& window, const Targets& targets) {
   view->setObjectName("viewMenu");
   addEntry(view, "fitView", tr("&Fit all"), QKeySequence("Ctrl+0"), tr("Show everything"),
            [shown = &targets.view] { shown->fit(); });
+  addEntry(view, "previousStep", tr("&Previous step"), QKeySequence("Ctrl+PgUp"),
+           tr("The step of the work before"), [step = targets.step] { step(-1); });
+  addEntry(view, "nextStepEntry", tr("&Next step"), QKeySequence("Ctrl+PgDown"),
+           tr("The step of the work after"), [step = targets.step] { step(1); });
+  view->addSeparator();
+  addTick(
+      view, "ctSlicesWanted", tr("CT &slices"), QKeySequence("Ctrl+3"),
+      tr("Three cuts through the CT or the label map below the 3D view, with the outlines of the surfaces"),
+      [bench] { return bench->view.options().slicesWanted; },
+      [bench](bool on) { bench->view.edit([on](ViewOptions& options) { options.slicesWanted = on; }); });
+  addTick(
+      view, "darkTheme", tr("&Dark theme"), QKeySequence("Ctrl+Shift+D"), tr("Light on dark, for a dim room"),
+      [] { return darkTheme(); },
+      [bench](bool on) {
+        setDarkTheme(on);
+        bench->view.edit([on](ViewOptions& options) { options.darkScene = on; });
+      });
+  view->addSeparator();
   for (QDockWidget* dock : window.findChildren<QDockWidget*>())
     if (dock->features() & QDockWidget::DockWidgetClosable) view->addAction(dock->toggleViewAction());
 
   QMenu* help = window.menuBar()->addMenu(tr("&Help"));
   help->setObjectName("helpMenu");
+  addEntry(help, "shortcuts", tr("&Keys and mouse"), QKeySequence("F1"), tr("All keys and mouse moves"),
+           [parent = &window] { showShortcuts(parent); });
+  help->actions().back()->setShortcuts({QKeySequence("F1"), QKeySequence("?")});
   addEntry(help, "aboutFalciform", tr("&About Falciform"), {}, tr("Version and licences"),
            [parent = &window] { showAbout(parent); });
 }

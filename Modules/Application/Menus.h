@@ -18,6 +18,7 @@ struct Menus {
     CaseView3D& view;
     Workbench& bench;
     std::function<void()> openFile = {}, screenshot = {}, close = {};
+    std::function<void(int)> step = {};  ///< that many modules on
   };
   static void addTo(QMainWindow& window, const Targets& targets);
 };

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   Workbench bench;
   MainWindow window(bench);
   window.show();
+  window.offerRecovery();
   window.open(files);
   return QApplication::exec();
 }

@@ -29,6 +29,18 @@ std::shared_ptr<const Surface> onTheWay(const std::shared_ptr<const Surface>& fr
   return surface;
 }
 
+/// The targets of the case on their way, pre-op mm.
+Points targetsOnTheWay(const UpdatedCase& made, double share) {
+  const Isometry3d preopFromScan = made.registration->scanFromPreop.inverse();
+  Points places(0, 3);
+  for (const UpdatedTarget& target : made.targets) {
+    if (target.structure) continue;
+    places.conservativeResize(places.rows() + 1, 3);
+    places.bottomRows<1>() = ((1 - share) * target.before + share * (preopFromScan * target.now)).transpose();
+  }
+  return places;
+}
+
 /// The same surface elsewhere; nullptr for another number of points.
 std::shared_ptr<const Surface> movedTo(const Surface& surface, const Points& points) {
   if (surface.size() != points.rows()) return nullptr;
@@ -126,6 +138,7 @@ void showUpdate(ViewState& view, const UpdateMaps* maps, const UpdateLook& look)
       options.liveDeformed.reset();
       options.comparedLiver.reset();
       options.movedStructures.clear();
+      options.movedTargets.reset();
       options.updateColours.reset();
       return;
     }
@@ -139,6 +152,7 @@ void showUpdate(ViewState& view, const UpdateMaps* maps, const UpdateLook& look)
     options.movedStructures.clear();
     for (const auto& [name, structure] : maps->updatedStructures)
       options.movedStructures[name] = onTheWay(maps->rigidStructures.at(name), structure, share);
+    options.movedTargets = targetsOnTheWay(*maps->of, share);
     options.comparedLiver = look.compare ? maps->rigid : nullptr;
     options.comparedCaption = "Rigid registration";
   });
@@ -168,6 +182,7 @@ void hideUpdate(ViewState& view) {
     options.updateColours.reset();
     options.comparedLiver.reset();
     options.movedStructures.clear();
+    options.movedTargets.reset();
   });
 }
 

@@ -267,6 +267,7 @@ void UpdatePage::refresh() {
     maps_.reset();
     showInViews();
   }
+  showKept();
   const bool busy = bench().runner.busy();
   showReadiness(prepare_, modelMissing_, logic_.missingForModel());
   open_->setEnabled(prepare_->isEnabled());

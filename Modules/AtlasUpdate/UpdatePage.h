@@ -47,6 +47,7 @@ class UpdatePage : public ModulePanel {
   void runUpdate();
   void updated(std::shared_ptr<const UpdateMaps> maps);
   void endRun();
+  void showKept();
   void showLive();
   void showCurves(const std::vector<UpdateRecord>& records);
   void showInViews();
@@ -60,6 +61,7 @@ class UpdatePage : public ModulePanel {
   ModelUpdateLogic logic_;
   UpdateLook look_;
   std::shared_ptr<const UpdateMaps> maps_;
+  ModelUpdateLogic::Result triedKept_;  ///< the saved result that showKept() was last called for
   std::unique_ptr<UpdateWatch> watch_;  ///< while an update runs
   std::size_t liveShown_ = 0;
   bool entered_ = false, running_ = false, preparing_ = false, seeThrough_ = false;

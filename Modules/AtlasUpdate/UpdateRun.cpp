@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QTimer>
 #include <cmath>
+#include <utility>
 
 #include "Logic/IO/MarkupFiles.h"
 #include "Logic/IO/SurfaceFiles.h"
@@ -59,16 +60,34 @@ void UpdatePage::runUpdate() {
 
 void UpdatePage::updated(std::shared_ptr<const UpdateMaps> maps) {
   endRun();
+  const auto before = std::exchange(maps_, maps);  // first: the case announces the result
   if (!logic_.accept(maps->of)) {
+    maps_ = before;
     bench().log.warn(tr("The liver was replaced while the model was updated: the result is dropped."));
     return;
   }
-  maps_ = std::move(maps);
   const UpdatedCase& made = *maps_->of;
   bench().log.info(tr("Updated: %1").arg(updateFigures(made.update)));
   for (const std::string& warning : updateWarnings(made)) bench().log.warn(QString::fromStdString(warning));
   look_.share = 1;
   showInViews();
+}
+
+// A case that was opened has brought a result; its distances are worked out anew, once.
+void UpdatePage::showKept() {
+  if (maps_ || !entered_ || running_ || bench().runner.busy() || !logic_.result() ||
+      triedKept_ == logic_.result())
+    return;
+  triedKept_ = logic_.result();
+  bench().runner.start(
+      tr("Showing the saved update"),
+      [made = logic_.result()](const Progress& progress) { return mapsOf(made, progress); },
+      [this](std::shared_ptr<const UpdateMaps> maps) {
+        if (maps->of != logic_.result()) return;
+        maps_ = std::move(maps);
+        look_.share = 1;
+        showInViews();
+      });
 }
 
 void UpdatePage::endRun() {

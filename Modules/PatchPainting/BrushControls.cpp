@@ -4,134 +4,127 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QInputDialog>
-#include <QPushButton>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <set>
 
 #include "Widgets/Forms/NumberBox.h"
-#include "Widgets/Rendering/PatchColours.h"
 
 namespace falciform {
 namespace {
 
-QIcon swatch(int label) {
-  const Vector3d colour = patchColour(label);
-  QPixmap picture(14, 14);
-  picture.fill(QColor::fromRgbF(colour.x(), colour.y(), colour.z()));
-  return picture;
+enum Mode { kAdd, kReplace, kErase };
+
+void addButton(QButtonGroup* group, QHBoxLayout* row, int id, const char* name, const QString& text,
+               const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName(name);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setCheckable(true);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  button->setFocusPolicy(Qt::StrongFocus);
+  group->addButton(button, id);
+  row->addWidget(button);
+}
+
+QString hintOf(PaintTool tool) {
+  switch (tool) {
+    case PaintTool::Brush:
+      return BrushControls::tr("Drag to paint. Shift+wheel, + and - change the radius.");
+    case PaintTool::Line:
+      return BrushControls::tr(
+          "Click along the feature; Enter or a double click paints the line, Backspace takes the last point "
+          "back, Esc drops it.");
+    case PaintTool::Lasso:
+      return BrushControls::tr("Drag around what is to be painted: all that is seen inside is taken.");
+    case PaintTool::Fill:
+      return BrushControls::tr("Click into a part that a closed border of paint surrounds.");
+  }
+  return {};
 }
 
 }  // namespace
 
-BrushControls::BrushControls(PatchPaintingLogic& painting, Case& document, QWidget* parent)
+BrushControls::BrushControls(PatchPaintingLogic& painting, QWidget* parent)
     : QWidget(parent),
       painting_(painting),
-      case_(document),
-      patch_(new QComboBox(this)),
-      newPatch_(new QPushButton(tr("New…"), this)),
-      add_(new QToolButton(this)),
-      erase_(new QToolButton(this)),
-      radius_(new NumberBox(this)) {
-  patch_->setObjectName("brushPatch");
-  patch_->setToolTip(
-      tr("The patch that the brush paints. Keys 1 to 9. Range: labels 1 to %1").arg(patch::kMax));
-  newPatch_->setObjectName("newPatch");
-  newPatch_->setToolTip(tr("Name another patch, for example the gallbladder fossa"));
-  add_->setObjectName("brushAdd");
-  add_->setText(tr("Add"));
-  add_->setToolTip(tr("The brush adds to the chosen patch"));
-  erase_->setObjectName("brushErase");
-  erase_->setText(tr("Erase"));
-  erase_->setToolTip(tr("The brush removes any patch under it"));
-  auto* modes = new QButtonGroup(this);
-  for (QToolButton* button : {add_, erase_}) {
-    button->setCheckable(true);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    modes->addButton(button);
-  }
+      tools_(new QButtonGroup(this)),
+      modes_(new QButtonGroup(this)),
+      radius_(new NumberBox(this)),
+      snap_(new QComboBox(this)),
+      hint_(new QLabel(this)) {
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 0, 0, 0);
+  auto* toolRow = new QHBoxLayout;
+  addButton(tools_, toolRow, static_cast<int>(PaintTool::Brush), "toolBrush", tr("&Brush"),
+            tr("Paints where the mouse is dragged (Alt+B)"), this);
+  addButton(
+      tools_, toolRow, static_cast<int>(PaintTool::Line), "toolLine", tr("&Line"),
+      tr("Lays a line over the surface from click to click, the shortest way, and paints along it (Alt+L)"),
+      this);
+  addButton(tools_, toolRow, static_cast<int>(PaintTool::Lasso), "toolLasso", tr("La&sso"),
+            tr("Paints all that is seen inside a line drawn around it (Alt+S)"), this);
+  addButton(tools_, toolRow, static_cast<int>(PaintTool::Fill), "toolFill", tr("F&ill"),
+            tr("Paints the whole part that is clicked, up to where other paint begins (Alt+I)"), this);
+  form->addRow(tr("Tool"), toolRow);
+  auto* modeRow = new QHBoxLayout;
+  addButton(modes_, modeRow, kAdd, "brushAdd", tr("&Add"),
+            tr("Paints where nothing is painted; other patches are left alone (Alt+A)"), this);
+  addButton(modes_, modeRow, kReplace, "brushReplace", tr("&Replace"),
+            tr("Paints over other patches too, unless they are locked (Alt+R)"), this);
+  addButton(modes_, modeRow, kErase, "brushErase", tr("&Erase"),
+            tr("Removes any patch that is not locked (Alt+E; key 0 over the view)"), this);
+  form->addRow(tr("Mode"), modeRow);
+
   radius_->setObjectName("brushRadius");
   radius_->setRange(0.5, 60);
   radius_->setSuffix(" mm");
-  radius_->setToolTip(
-      tr("Brush radius along the surface. Shift+wheel or + and - over the view change it too.\n"
-         "Unit: mm\nRange: 0.5 to 60\nDefault: 6"));
-
-  auto* form = new QFormLayout(this);
-  form->setContentsMargins(0, 0, 0, 0);
-  auto* patchRow = new QHBoxLayout;
-  patchRow->addWidget(patch_, 1);
-  patchRow->addWidget(newPatch_);
-  form->addRow(tr("Patch"), patchRow);
-  auto* modeRow = new QHBoxLayout;
-  modeRow->addWidget(add_);
-  modeRow->addWidget(erase_);
-  form->addRow(tr("Brush"), modeRow);
+  radius_->setToolTip(tr(
+      "Radius of the brush along the surface, and half of the width of a line. Shift+wheel or + and - over "
+      "the view change it too.\nUnit: mm\nRange: 0.5 to 60\nDefault: 6"));
   form->addRow(tr("Radius"), radius_);
+  snap_->setObjectName("pathSnap");
+  snap_->addItems({tr("nothing: the shortest way"), tr("the ridge"), tr("the groove")});
+  snap_->setToolTip(tr(
+      "What a line is drawn to between two clicks: the edge (sharp outwards) or the groove (sharp inwards).\n"
+      "The curvature is measured once, which takes a second or so"));
+  form->addRow(tr("Snap to"), snap_);
+  hint_->setObjectName("toolHint");
+  hint_->setWordWrap(true);
+  form->addRow(hint_);
 
-  connect(patch_, qOverload<int>(&QComboBox::activated), this, [this] {
-    add_->setChecked(true);  // choosing a patch means to paint it
-    apply();
-  });
-  connect(modes, qOverload<QAbstractButton*>(&QButtonGroup::buttonClicked), this, &BrushControls::apply);
+  for (QButtonGroup* group : {tools_, modes_})
+    connect(group, qOverload<QAbstractButton*>(&QButtonGroup::buttonClicked), this, &BrushControls::apply);
   connect(radius_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &BrushControls::apply);
-  connect(newPatch_, &QPushButton::clicked, this, [this] {
-    bool accepted = false;
-    const QString name = QInputDialog::getText(this, tr("New patch"), tr("Name of the patch:"),
-                                               QLineEdit::Normal, {}, &accepted);
-    if (accepted && !name.trimmed().isEmpty()) addNamedPatch(name.trimmed());
-  });
-  refresh();
+  connect(snap_, qOverload<int>(&QComboBox::activated), this, &BrushControls::apply);
+  refresh(chosen_);
 }
-
-int BrushControls::chosenPatch() const { return patch_->currentData().toInt(); }
 
 void BrushControls::apply() {
-  painting_.label = erase_->isChecked() ? patch::kNone : chosenPatch();
+  painting_.tool = static_cast<PaintTool>(tools_->checkedId());
+  painting_.label = modes_->checkedId() == kErase ? patch::kNone : chosen_;
+  painting_.replaces = modes_->checkedId() == kReplace;
   painting_.radiusMm = radius_->value();
+  painting_.snap = static_cast<PathSnap>(snap_->currentIndex());
   Q_EMIT changed();
 }
 
-void BrushControls::refresh() {
-  const QSignalBlocker quietPatch(patch_), quietRadius(radius_);
-  const int chosen = painting_.label > 0   ? painting_.label
-                     : patch_->count() > 0 ? chosenPatch()
-                                           : patch::kFalciform;
-  std::set<int> labels{patch::kFalciform, patch::kInferiorRidge, chosen};
-  std::map<int, std::string> names;
-  for (const auto& surface : {case_.preop(), case_.scan()}) {
-    if (!surface) continue;
-    for (const int label : patchLabels(*surface)) labels.insert(label);
-    for (const auto& [label, name] : surface->patchNames) labels.insert(label);
-    for (const int label : labels)
-      if (!names.count(label) || surface->patchNames.count(label)) names[label] = patchName(*surface, label);
-  }
-  patch_->clear();
-  for (const int label : labels)
-    patch_->addItem(swatch(label),
-                    QString::fromStdString(names.count(label) ? names[label] : patchName({}, label)), label);
-  patch_->setCurrentIndex(patch_->findData(chosen));
-  (painting_.label > 0 ? add_ : erase_)->setChecked(true);
+void BrushControls::refresh(int chosen) {
+  const QSignalBlocker quietRadius(radius_);
+  chosen_ = chosen;
+  tools_->button(static_cast<int>(painting_.tool))->setChecked(true);
+  modes_->button(painting_.label == patch::kNone ? kErase
+                 : painting_.replaces            ? kReplace
+                                                 : kAdd)
+      ->setChecked(true);
   radius_->setValue(painting_.radiusMm);
-  newPatch_->setEnabled(case_.preop() || case_.scan());
-}
-
-void BrushControls::addNamedPatch(const QString& name) {
-  int next = patch::kFirstNamed;
-  while (next <= patch::kMax && patch_->findData(next) >= 0) ++next;
-  if (next > patch::kMax) return;
-  painting_.label = next;
-  // The name goes with both sides, since a patch serves registration only if both have it.
-  const auto named = [&](const std::shared_ptr<const Surface>& surface) {
-    auto copy = std::make_shared<Surface>(*surface);
-    copy->patchNames[next] = name.toStdString();
-    return copy;
-  };
-  if (case_.preop()) case_.setPreop(named(case_.preop()));
-  if (case_.scan()) case_.setScan(named(case_.scan()));
-  refresh();
-  Q_EMIT changed();
+  snap_->setCurrentIndex(static_cast<int>(painting_.snap));
+  const bool line = painting_.tool == PaintTool::Line;
+  auto* form = qobject_cast<QFormLayout*>(layout());
+  for (QWidget* only : {static_cast<QWidget*>(snap_), form->labelForField(snap_)}) only->setVisible(line);
+  radius_->setEnabled(painting_.tool == PaintTool::Brush || line);
+  hint_->setText(hintOf(painting_.tool));
 }
 
 }  // namespace falciform

@@ -1,42 +1,39 @@
 #pragma once
 #include <QWidget>
 
-#include "Logic/Core/Case.h"
 #include "Logic/Patches/PatchPaintingLogic.h"
 
+class QButtonGroup;
 class QComboBox;
-class QPushButton;
-class QToolButton;
+class QLabel;
 
 namespace falciform {
 
 class NumberBox;
 
-/// The brush: which patch, add or erase, how wide. Writes PatchPaintingLogic's public settings.
+/// The tool, what it does to what is there, how wide it is. Writes PatchPaintingLogic's public settings.
 class BrushControls : public QWidget {
   Q_OBJECT
 
  public:
-  BrushControls(PatchPaintingLogic& painting, Case& document, QWidget* parent = nullptr);
+  explicit BrushControls(PatchPaintingLogic& painting, QWidget* parent = nullptr);
 
-  /// Controls follow the logic (the mouse may have changed the radius) and the target's patch names.
-  void refresh();
-  /// The patch chosen in the list, also while erasing.
-  [[nodiscard]] int chosenPatch() const;
+  /// Controls follow the logic: mouse and keys may have changed it. `chosen` is the patch to return to after
+  /// erasing.
+  void refresh(int chosen);
 
  Q_SIGNALS:
   void changed();
 
  private:
-  void addNamedPatch(const QString& name);
   void apply();
 
   PatchPaintingLogic& painting_;
-  Case& case_;
-  QComboBox* patch_;
-  QPushButton* newPatch_;
-  QToolButton *add_, *erase_;
+  int chosen_ = patch::kFalciform;
+  QButtonGroup *tools_, *modes_;
   NumberBox* radius_;
+  QComboBox* snap_;
+  QLabel* hint_;
 };
 
 }  // namespace falciform

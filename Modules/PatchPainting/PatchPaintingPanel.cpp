@@ -1,6 +1,7 @@
 #include "Modules/PatchPainting/PatchPaintingPanel.h"
 
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
@@ -12,7 +13,8 @@
 #include "Logic/Patches/PatchStatistics.h"
 #include "Logic/Patches/PatchTransfer.h"
 #include "Modules/PatchPainting/BrushControls.h"
-#include "Modules/PatchPainting/PatchTable.h"
+#include "Modules/PatchPainting/PatchList.h"
+#include "Modules/PatchPainting/PatchOperations.h"
 #include "Widgets/Forms/NumberBox.h"
 
 namespace falciform {
@@ -23,27 +25,31 @@ PatchPaintingPanel::PatchPaintingPanel(Workbench& workbench, QWidget* parent)
           tr("Marks the same features on the pre-operative liver and on the scan: the falciform ligament's "
              "groove and the inferior ridge."),
           parent),
-      brush_(new BrushControls(workbench.painting, workbench.document, this)),
-      table_(new PatchTable(this)) {
+      brush_(new BrushControls(workbench.painting, this)),
+      list_(new PatchList(workbench, this)),
+      operations_(new PatchOperations(workbench, this)) {
   addTarget();
+  addPatches();
   addTools();
-  column()->addWidget(table_);
-  warnings_ = wrappedLabel("warnings", this);
-  column()->addWidget(warnings_);
+  addGroup(tr("Whole patch"))->addWidget(operations_);
   addTransfer();
   brushChanged_ = bench().view.brushChanged.connect([this] { refresh(); });
   viewChanged_ = bench().view.changed.connect([this] { refresh(); });
-  connect(brush_, &BrushControls::changed, this, [this] { refresh(); });
+  connect(brush_, &BrushControls::changed, this, [this] {
+    measureCurvatures();
+    bench().view.brushChanged.emit();
+  });
+  connect(operations_, &PatchOperations::changed, this, [this] { refresh(); });
   start();
 }
 
 void PatchPaintingPanel::addTarget() {
   auto* group = addGroup(tr("Paint on"));
   auto* row = new QHBoxLayout;
-  preop_ = new QRadioButton(tr("Pre-op liver"), this);
+  preop_ = new QRadioButton(tr("&Pre-op liver"), this);
   preop_->setObjectName("paintOnPreop");
   preop_->setToolTip(tr("Paint on the pre-operative surface"));
-  scan_ = new QRadioButton(tr("Scan"), this);
+  scan_ = new QRadioButton(tr("S&can"), this);
   scan_->setObjectName("paintOnScan");
   scan_->setToolTip(tr("Paint on the intra-operative scan"));
   row->addWidget(preop_);
@@ -53,8 +59,46 @@ void PatchPaintingPanel::addTarget() {
   connect(scan_, &QRadioButton::clicked, this, [this] { setTarget(PaintTarget::Scan); });
 }
 
+void PatchPaintingPanel::addPatches() {
+  auto* group = addGroup(tr("Patches"));
+  group->addWidget(list_);
+  newPatch_ = new QPushButton(tr("&New…"), this);
+  newPatch_->setObjectName("newPatch");
+  newPatch_->setToolTip(
+      tr("Name another patch, for example the gallbladder fossa; it is there for both surfaces"));
+  colour_ = new QPushButton(tr("C&olour…"), this);
+  colour_->setObjectName("patchColour");
+  colour_->setToolTip(tr("Choose the marked patch's colour, on both surfaces"));
+  clear_ = new QPushButton(tr("Clear patch"), this);
+  clear_->setObjectName("clearPatch");
+  clear_->setToolTip(tr("Remove the marked patch from the chosen surface; can be undone"));
+  auto* row = new QHBoxLayout;
+  for (QPushButton* button : {newPatch_, colour_, clear_}) row->addWidget(button);
+  group->addLayout(row);
+  warnings_ = wrappedLabel("warnings", this);
+  group->addWidget(warnings_);
+  connect(list_, &PatchList::picked, this, &PatchPaintingPanel::choosePatch);
+  connect(list_, &PatchList::edited, this, [this] { refresh(); });
+  connect(colour_, &QPushButton::clicked, list_, &PatchList::askColour);
+  connect(clear_, &QPushButton::clicked, this,
+          [this] { (void)bench().painting.clearPatch(list_->chosen()), refresh(); });
+  connect(newPatch_, &QPushButton::clicked, this, [this] {
+    bool accepted = false;
+    const QString name = QInputDialog::getText(this, tr("New patch"), tr("Name of the patch:"),
+                                               QLineEdit::Normal, {}, &accepted);
+    if (!accepted || name.trimmed().isEmpty()) return;
+    if (const int label = list_->addNamed(name.trimmed())) choosePatch(label);
+  });
+}
+
+// Choosing a patch means to paint it.
+void PatchPaintingPanel::choosePatch(int label) {
+  bench().painting.label = chosen_ = label;
+  bench().view.brushChanged.emit();
+}
+
 void PatchPaintingPanel::addTools() {
-  auto* group = addGroup(tr("Brush"));
+  auto* group = addGroup(tr("Paint"));
   group->addWidget(brush_);
   paint_ = new QPushButton(tr("Paint"), this);
   paint_->setObjectName("paint");
@@ -68,11 +112,8 @@ void PatchPaintingPanel::addTools() {
   redo_ = new QPushButton(tr("Redo"), this);
   redo_->setObjectName("redo");
   redo_->setToolTip(tr("Bring the stroke back (Y)"));
-  clear_ = new QPushButton(tr("Clear patch"), this);
-  clear_->setObjectName("clearPatch");
-  clear_->setToolTip(tr("Remove the chosen patch from the chosen surface; can be undone"));
   auto* row = new QHBoxLayout;
-  for (QPushButton* button : {undo_, redo_, clear_}) row->addWidget(button);
+  for (QPushButton* button : {undo_, redo_}) row->addWidget(button);
   group->addWidget(paint_);
   group->addLayout(row);
   missing_ = wrappedLabel("missing", this);
@@ -81,8 +122,6 @@ void PatchPaintingPanel::addTools() {
           [this](bool on) { bench().view.edit([&](ViewOptions& options) { options.painting = on; }); });
   connect(undo_, &QPushButton::clicked, this, [this] { (void)bench().painting.undo(), refresh(); });
   connect(redo_, &QPushButton::clicked, this, [this] { (void)bench().painting.redo(), refresh(); });
-  connect(clear_, &QPushButton::clicked, this,
-          [this] { (void)bench().painting.clearPatch(brush_->chosenPatch()), refresh(); });
 }
 
 void PatchPaintingPanel::addTransfer() {
@@ -139,7 +178,10 @@ void PatchPaintingPanel::applyArrangement() {
 void PatchPaintingPanel::refresh() {
   const bool onScan = bench().painting.target == PaintTarget::Scan;
   (onScan ? scan_ : preop_)->setChecked(true);
-  brush_->refresh();
+  if (bench().painting.target != PaintTarget::Supports && bench().painting.label > 0)
+    chosen_ = bench().painting.label;
+  list_->follow(targetSurface(), chosen_);
+  brush_->refresh(chosen_);
   showReadiness(paint_, missing_, bench().painting.missingInput());
   // A job works on its own snapshot, so painting may go on; only what is missing stops it.
   const bool canPaint = bench().painting.missingInput().empty();
@@ -151,20 +193,42 @@ void PatchPaintingPanel::refresh() {
   paint_->setText(bench().view.options().painting ? tr("Stop painting (Esc)") : tr("Paint"));
   if (canPaint) {
     const PartLook look = bench().view.look(onScan ? part::kScan : part::kPreop);
-    missing_->setText(look.visible
-                          ? QString()
-                          : tr("The surface is hidden: tick it in the case tree to see what you paint."));
-    missing_->setVisible(!look.visible);
+    missing_->setText(!look.visible
+                          ? tr("The surface is hidden: tick it in the case tree to see what you paint.")
+                      : !bench().view.patchLook(chosen_).visible
+                          ? tr("The marked patch is hidden: tick it in the list to see what you paint.")
+                          : QString::fromStdString(bench().painting.refusal()));
+    missing_->setVisible(!missing_->text().isEmpty());
   }
   undo_->setEnabled(bench().painting.canUndo());
   redo_->setEnabled(bench().painting.canRedo());
-  clear_->setEnabled(canPaint);
+  clear_->setEnabled(canPaint && !bench().painting.locked().count(chosen_));
+  newPatch_->setEnabled(document().preop() || document().scan());
+  operations_->refresh(chosen_);
   transfer_->setEnabled(targetSurface() != nullptr && !bench().runner.busy());
-  table_->show(targetSurface());
   if (document().preop() && document().scan())
     showWarnings(warnings_, patchWarnings(*document().preop(), *document().scan()));
   else
     showWarnings(warnings_, {});
+}
+
+void PatchPaintingPanel::measureCurvatures() {
+  PatchPaintingLogic& painting = bench().painting;
+  const auto surface = targetSurface();
+  if (painting.tool != PaintTool::Line || painting.snap == PathSnap::None || painting.hasCurvatures() ||
+      !surface)
+    return;
+  bench().runner.start(
+      tr("Measuring curvature"),
+      [surface](const Progress& progress) {
+        progress.report(0, "fitting the surface around each point");
+        CurvatureSettings settings;
+        settings.radiusMm = 5;  // mm: wider than the noise of a scan, narrower than a liver's edge
+        return std::make_shared<const Curvatures>(principalCurvatures(*surface, settings));
+      },
+      [this, surface](const std::shared_ptr<const Curvatures>& curvatures) {
+        bench().painting.setCurvatures(surface, curvatures);
+      });
 }
 
 void PatchPaintingPanel::transferFrom(const QString& file) {

@@ -1,14 +1,13 @@
 #pragma once
 #include "Modules/ModulePanel.h"
 
-class QButtonGroup;
-class QComboBox;
 class QRadioButton;
 
 namespace falciform {
 
 class BrushControls;
-class PatchTable;
+class PatchList;
+class PatchOperations;
 
 /// Which surface is painted, with which brush; undo; what is painted; patches taken over from another
 /// surface.
@@ -30,14 +29,20 @@ class PatchPaintingPanel : public ModulePanel {
   void addTarget();
   void addTools();
   void addTransfer();
+  void addPatches();
   void setTarget(PaintTarget target);
+  /// The line snaps to what the surface's curvature says; measured once a surface.
+  void measureCurvatures();
+  void choosePatch(int label);
   void applyArrangement();
   [[nodiscard]] std::shared_ptr<const Surface> targetSurface();
 
   QRadioButton *preop_, *scan_;
   BrushControls* brush_;
-  QPushButton *paint_, *undo_, *redo_, *clear_, *transfer_;
-  PatchTable* table_;
+  QPushButton *paint_, *undo_, *redo_, *clear_, *newPatch_, *colour_, *transfer_;
+  int chosen_ = patch::kFalciform;  ///< the marked patch, also while erasing
+  PatchList* list_;
+  PatchOperations* operations_;
   QLabel *missing_, *warnings_;
   double transferRadiusMm_ = 3;
   Connection viewChanged_, brushChanged_;

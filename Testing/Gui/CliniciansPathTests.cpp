@@ -135,8 +135,7 @@ TEST_F(CliniciansPath, FromLabelMapToDistanceMapByMouseAndKeyboard) {
   for (int y = 0; y < image.height(); y += 3)
     for (int x = 0; x < image.width(); x += 3) colours.insert(image.pixel(x, y));
   EXPECT_GT(colours.size(), 200u) << "a shaded, coloured map and its bar";
-  if (qEnvironmentVariableIsSet("FALCIFORM_ARTEFACTS"))
-    window->grab().save(qEnvironmentVariable("FALCIFORM_ARTEFACTS") + "/clinicians_path.png");
+  keepPicture("clinicians_path");
 
   openWindow();
   window->open({QString::fromStdString((folder / "saved").string())});

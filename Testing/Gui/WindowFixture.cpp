@@ -131,4 +131,11 @@ void WindowTest::press(int key) {
   handleEvents();
 }
 
+void WindowTest::keepPicture(const QString& name) {
+  const QString folder = qEnvironmentVariable("FALCIFORM_ARTEFACTS");
+  if (folder.isEmpty()) return;
+  handleEvents(200);
+  EXPECT_TRUE(window->grab().save(folder + "/" + name + ".png")) << folder.toStdString();
+}
+
 }  // namespace falciform::test

@@ -51,6 +51,8 @@ struct WindowTest : testing::Test {
   /// Presses at the first, moves through the others, releases at the last: positions in the canvas.
   void drag(const std::vector<QPoint>& way, Qt::MouseButton button = Qt::LeftButton);
   void press(int key);
+  /// Keeps a picture of the window in the build's artefacts.
+  void keepPicture(const QString& name);
 
   /// Bench and window as new; false on the way out of a test that destroys them itself.
   void openWindow();

@@ -1,6 +1,8 @@
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -79,17 +81,75 @@ void registrationPictures(MainWindow& window, Workbench& bench,
   press(window, "startFromLandmarks");
 }
 
-void tick(MainWindow& window, const char* box, bool on) {
-  auto* found = window.currentPanel()->findChild<QAbstractButton*>(box);
-  if (found && found->isChecked() != on) found->click();
-}
-
 /// Takes an item of a drop-down list as a person does.
 void take(MainWindow& window, const char* box, int item) {
   if (auto* found = window.currentPanel()->findChild<QComboBox*>(box)) {
     found->setCurrentIndex(item);
     Q_EMIT found->activated(item);
   }
+}
+
+/// The ridge laid as a line from click to click, snapped to the edge, before and after it is painted.
+void paintingPictures(MainWindow& window, Workbench& bench, const std::function<void(const QString&)>& save) {
+  const auto liver = bench.document.preop();
+  if (!liver) return;
+  std::vector<Vector3d> ridge;
+  for (const int id : pointsOfPatch(*liver, patch::kInferiorRidge))
+    ridge.emplace_back(liver->points.row(id).transpose());
+  if (ridge.size() < 50) return;
+  std::sort(ridge.begin(), ridge.end(), [](const auto& a, const auto& b) { return a.x() < b.x(); });
+  bench.painting.label = patch::kInferiorRidge;
+  bench.painting.radiusMm = 4;
+  bench.view.brushChanged.emit();
+  press(window, "clearPatch");
+  press(window, "toolLine");
+  take(window, "pathSnap", 1);
+  waitIdle(bench);
+  press(window, "paint");
+  QTest::qWait(300);
+  QWidget* canvas = window.view()->canvas();
+  for (const double share : {0.04, 0.3, 0.55, 0.8}) {
+    const QPoint at = window.view()->canvasPosition(
+        ridge[static_cast<std::size_t>(share * static_cast<double>(ridge.size()))]);
+    QTest::mouseMove(canvas, at);
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
+    QTest::qWait(300);
+  }
+  scrollTo(window, "patchTable");
+  save("PatchPainting_line");
+  canvas->setFocus();
+  QTest::keyClick(canvas, Qt::Key_Return);
+  save("PatchPainting_line_painted");
+  press(window, "paint");
+  while (bench.painting.canUndo()) press(window, "undo");
+  press(window, "toolBrush");
+  bench.painting.label = patch::kFalciform;
+  bench.painting.radiusMm = 6;
+  bench.view.brushChanged.emit();
+  scrollTo(window, "purpose");
+}
+
+/// What belongs to the window and to no step: keys, dark theme, slices.
+void desktopPictures(MainWindow& window, const std::function<void(const QString&)>& save,
+                     const std::function<void(QWidget*, const QString&)>& saveOf) {
+  const auto trigger = [&](const char* name) { window.findChild<QAction*>(name)->trigger(); };
+  trigger("shortcuts");
+  QTest::qWait(300);
+  if (auto* sheet = window.findChild<QDialog*>("shortcutSheet")) {
+    saveOf(sheet, "Desktop_keys");
+    sheet->close();
+  }
+  trigger("ctSlicesWanted");
+  save("Desktop_slices");
+  trigger("darkTheme");
+  save("Desktop_dark");
+  trigger("darkTheme");
+  trigger("ctSlicesWanted");
+}
+
+void tick(MainWindow& window, const char* box, bool on) {
+  auto* found = window.currentPanel()->findChild<QAbstractButton*>(box);
+  if (found && found->isChecked() != on) found->click();
 }
 
 /// A model prepared, the update while it runs, and all that is to be seen of it.
@@ -248,6 +308,7 @@ int main(int argc, char** argv) {
     }
     if (name == "PatchPainting") {
       save(name + "_liver");
+      paintingPictures(window, bench, save);
       press(window, "paintOnScan");
     }
     if (name == "Registration") {
@@ -269,5 +330,7 @@ int main(int argc, char** argv) {
     }
     if (name == "DeformationAnalysis") deformationPictures(window, bench, others, save);
   }
+  desktopPictures(window, save,
+                  [&](QWidget* of, const QString& name) { of->grab().save(folder + "/" + name + ".png"); });
   return 0;
 }

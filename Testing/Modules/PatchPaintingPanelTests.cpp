@@ -43,18 +43,98 @@ TEST_F(PatchPaintingPanelTest, PaintingWaitsForASurfaceAndSaysSo) {
 
 TEST_F(PatchPaintingPanelTest, BrushControlsAreTheLogicsBrush) {
   openBareSphere();
-  auto& patches = child<QComboBox>(panel, "brushPatch");
-  EXPECT_EQ(patches.itemText(0), "falciform");
-  EXPECT_EQ(patches.itemText(1), "inferior ridge");
-  patches.setCurrentIndex(1);
-  Q_EMIT patches.activated(1);
+  auto& patches = child<QTableWidget>(panel, "patchTable");
+  EXPECT_EQ(patches.item(0, 0)->text(), "falciform");
+  EXPECT_EQ(patches.item(1, 0)->text(), "inferior ridge");
+  patches.setCurrentCell(1, 0);
   EXPECT_EQ(bench.painting.label, patch::kInferiorRidge);
   child<QDoubleSpinBox>(panel, "brushRadius").setValue(12.5);
   EXPECT_DOUBLE_EQ(bench.painting.radiusMm, 12.5);
   click(panel, "brushErase");
   EXPECT_EQ(bench.painting.label, patch::kNone);
+  EXPECT_EQ(patches.currentRow(), 1) << "the marked patch is remembered while erasing";
+  click(panel, "brushReplace");
+  EXPECT_EQ(bench.painting.label, patch::kInferiorRidge);
+  EXPECT_TRUE(bench.painting.replaces);
   click(panel, "brushAdd");
-  EXPECT_EQ(bench.painting.label, patch::kInferiorRidge) << "the chosen patch is remembered while erasing";
+  EXPECT_FALSE(bench.painting.replaces);
+}
+
+TEST_F(PatchPaintingPanelTest, ToolsSayHowTheyWorkAndShowWhatTheyNeed) {
+  openBareSphere();
+  const char* tools[]{"toolBrush", "toolLine", "toolLasso", "toolFill"};
+  QStringList hints;
+  for (int i = 0; i < 4; ++i) {
+    click(panel, tools[i]);
+    EXPECT_EQ(static_cast<int>(bench.painting.tool), i);
+    EXPECT_EQ(isShown(panel, "pathSnap"), i == 1);
+    hints << child<QLabel>(panel, "toolHint").text();
+  }
+  EXPECT_EQ(hints.removeDuplicates(), 0);
+  EXPECT_FALSE(hints.contains(""));
+}
+
+TEST_F(PatchPaintingPanelTest, SnappingMeasuresTheSurfaceOnceAndItsCostsAreTheLines) {
+  openPreopAndScan();
+  click(panel, "toolLine");
+  EXPECT_FALSE(bench.painting.hasCurvatures());
+  auto& snap = child<QComboBox>(panel, "pathSnap");
+  snap.setCurrentIndex(1);
+  Q_EMIT snap.activated(1);
+  EXPECT_TRUE(bench.painting.hasCurvatures()) << errors.join(" ").toStdString();
+  const VectorXd cost = bench.painting.pathCost();
+  EXPECT_EQ(cost.size(), bench.document.preop()->size());
+  EXPECT_LT(cost.minCoeff(), 0.9);
+  (void)paintOnce();
+  EXPECT_TRUE(bench.painting.hasCurvatures()) << "painting does not change the shape";
+  snap.setCurrentIndex(0);
+  Q_EMIT snap.activated(0);
+  EXPECT_EQ(bench.painting.pathCost().size(), 0);
+}
+
+TEST_F(PatchPaintingPanelTest, EyeLockAndNameOfAPatchAreInItsRow) {
+  openPreopAndScan();
+  auto& table = child<QTableWidget>(panel, "patchTable");
+  table.item(0, 0)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(bench.view.patchLook(patch::kFalciform).visible);
+  EXPECT_NE(words(panel, "missing").find("hidden"), std::string::npos);
+  table.item(0, 5)->setCheckState(Qt::Checked);
+  EXPECT_EQ(bench.painting.locked(), std::set<int>{patch::kFalciform});
+  EXPECT_FALSE(isEnabled(panel, "clearPatch"));
+  EXPECT_FALSE(isEnabled(panel, "growPatch"));
+  EXPECT_FALSE(table.item(0, 0)->flags() & Qt::ItemIsEditable) << "the two known patches keep their names";
+  auto named = std::make_shared<Surface>(*bench.document.preop());
+  named->patchNames[5] = "fossa";
+  bench.document.setPreop(named);
+  ASSERT_EQ(table.rowCount(), 3);
+  table.item(2, 0)->setText("gallbladder fossa");
+  EXPECT_EQ(bench.document.preop()->patchNames.at(5), "gallbladder fossa");
+  EXPECT_EQ(bench.document.scan()->patchNames.at(5), "gallbladder fossa");
+  EXPECT_TRUE(errors.isEmpty());
+}
+
+TEST_F(PatchPaintingPanelTest, OperationsOnAWholePatchAreOneStepEach) {
+  openPreopAndScan();
+  const auto before = bench.document.preop()->patch;
+  for (const char* operation : {"growPatch", "shrinkPatch", "smoothPatch"}) {
+    click(panel, operation);
+    EXPECT_NE(bench.document.preop()->patch, before) << operation;
+    click(panel, "undo");
+    EXPECT_EQ(bench.document.preop()->patch, before) << operation;
+  }
+  for (const char* operation : {"fillHoles", "largestPiece"}) click(panel, operation);
+  EXPECT_TRUE(errors.isEmpty());
+}
+
+TEST_F(PatchPaintingPanelTest, NamingAPatchKeepsTheUndo) {
+  openBareSphere();
+  ASSERT_FALSE(paintOnce().empty());
+  auto named = std::make_shared<Surface>(*bench.document.preop());
+  named->patchNames[3] = "fossa";
+  bench.document.setPreop(named);
+  EXPECT_TRUE(bench.painting.canUndo());
+  (void)bench.painting.undo();
+  EXPECT_EQ(bench.document.preop()->patchNames.at(3), "fossa");
 }
 
 TEST_F(PatchPaintingPanelTest, ControlsFollowABrushThatTheMouseResized) {
@@ -89,14 +169,14 @@ TEST_F(PatchPaintingPanelTest, AStrokeIsListedCanBeUndoneAndRedone) {
   const PatchEdit stroke = paintOnce();
   ASSERT_FALSE(stroke.empty());
   auto& table = child<QTableWidget>(panel, "patchTable");
-  ASSERT_EQ(table.rowCount(), 1);
+  ASSERT_EQ(table.rowCount(), 2);
   EXPECT_EQ(table.item(0, 0)->text(), "falciform");
   EXPECT_EQ(table.item(0, 1)->text(), QString::number(stroke.ids.size()));
   EXPECT_EQ(table.item(0, 4)->text(), "1");
 
   click(panel, "undo");
   EXPECT_TRUE(patchLabels(*bench.document.preop()).empty());
-  EXPECT_EQ(table.rowCount(), 0);
+  EXPECT_EQ(table.item(0, 1)->text(), "0");
   EXPECT_TRUE(isEnabled(panel, "redo"));
   click(panel, "redo");
   EXPECT_EQ(pointsOfPatch(*bench.document.preop(), patch::kFalciform).size(), stroke.ids.size());

@@ -2,6 +2,7 @@
 
 #include "Logic/IO/CaseFolder.h"
 #include "Logic/IO/MarkupFiles.h"
+#include "Logic/IO/OutputFile.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/IO/VolumeFiles.h"
 
@@ -14,32 +15,28 @@ QString shortName(const fs::path& file) {
   return QString::fromStdString((file.has_filename() ? file : file.parent_path()).filename().string());
 }
 
-/// Moves all of `loaded` into `document`. Parts that others rest on come first, so that nothing is dropped as
-/// outdated.
-void adopt(Case& document, const Case& loaded) {
-  document.clear();
-  document.setName(loaded.name());
-  if (loaded.labels()) document.setLabels(loaded.labels());
-  if (loaded.preop()) document.setPreop(loaded.preop());
-  for (const auto& [name, surface] : loaded.structures()) document.setStructure(name, surface);
-  document.setPreopLandmarks(loaded.preopLandmarks());
-  document.setScanLandmarks(loaded.scanLandmarks());
-  // A registration set before its scan is stale, as the saved one was.
-  if (loaded.scan() && !loaded.registrationStale()) document.setScan(loaded.scan());
-  if (loaded.registration()) document.setRegistration(loaded.registration());
-  if (loaded.scan() && loaded.registrationStale()) document.setScan(loaded.scan());
-  if (loaded.distance()) document.setDistance(loaded.distance());
-  if (loaded.supports()) document.setSupports(loaded.supports());
-  if (loaded.ct()) document.setCt(loaded.ct());
-  document.setTargets(loaded.targets());
-  document.setTruthTargets(loaded.truthTargets());
-  document.setUnmodified();
-}
-
 struct LoadedCase {
   std::shared_ptr<Case> document;
   std::vector<std::string> warnings;
+  nlohmann::json view;  ///< null if none was saved
 };
+
+/// How the window showed the case; null if that was not saved, or is damaged: no reason not to open the case.
+nlohmann::json readView(const fs::path& folderOrFile) {
+  const CaseDescription description = readCaseDescription(folderOrFile);
+  const fs::path file = description.folder / description.view;
+  if (description.view.empty() || !fs::exists(file)) return nullptr;
+  const std::string text = readTextFile(file);
+  nlohmann::json view = nlohmann::json::parse(text, nullptr, false);
+  return view.is_discarded() ? nlohmann::json() : view;
+}
+
+bool sameParts(const Case& a, const Case& b) {
+  return a.preop() == b.preop() && a.scan() == b.scan() && a.registration() == b.registration() &&
+         a.distance() == b.distance() && a.labels() == b.labels() && a.name() == b.name() &&
+         a.structures() == b.structures() && a.ct() == b.ct() && a.supports() == b.supports() &&
+         a.update() == b.update();
+}
 
 }  // namespace
 
@@ -66,13 +63,16 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
           title,
           [file](const Progress& progress) {
             progress.report(0, "reading the case");
-            LoadedCase loaded{std::make_shared<Case>(), {}};
+            LoadedCase loaded{std::make_shared<Case>(), {}, {}};
             loaded.warnings = openCase(*loaded.document, file);
+            loaded.view = readView(file);
             progress.report(1);
             return loaded;
           },
           [this, finish](const LoadedCase& loaded) {
-            adopt(case_, *loaded.document);
+            case_.adopt(*loaded.document);
+            sources_.clear();
+            if (viewOpened && loaded.view.is_object()) viewOpened(loaded.view);
             finish(loaded.warnings);
           });
     case FileRole::Labels:
@@ -82,8 +82,9 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
             progress.report(0, "reading the label map");
             return readLabelMap(file);
           },
-          [this, finish](Loaded<LabelMap> loaded) {
+          [this, role, file, finish](Loaded<LabelMap> loaded) {
             case_.setLabels(std::make_shared<const LabelMap>(std::move(loaded.value)));
+            sources_[role] = file;
             finish(loaded.warnings);
           });
     case FileRole::Preop:
@@ -112,8 +113,9 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
             progress.report(0, "reading the CT");
             return readImage(file);
           },
-          [this, finish](Loaded<Image> loaded) {
+          [this, role, file, finish](Loaded<Image> loaded) {
             case_.setCt(std::make_shared<const Image>(std::move(loaded.value)));
+            sources_[role] = file;
             finish(loaded.warnings);
           });
     case FileRole::PreopLandmarks:
@@ -177,17 +179,13 @@ bool CaseFiles::save(const fs::path& folder, std::function<void()> done) {
   auto snapshot = std::make_shared<const Case>(case_);
   return start(
       QObject::tr("Saving %1").arg(shortName(folder)),
-      [snapshot, folder](const Progress& progress) {
+      [snapshot, folder, view = viewToSave ? viewToSave() : nlohmann::json()](const Progress& progress) {
         progress.report(0, "writing the case");
-        saveCase(*snapshot, folder, Overwrite::Replace);
+        saveCase(*snapshot, folder, Overwrite::Replace, view);
       },
       [this, folder, snapshot, done] {
         // What was changed while the worker wrote is not saved yet.
-        if (case_.preop() == snapshot->preop() && case_.scan() == snapshot->scan() &&
-            case_.registration() == snapshot->registration() && case_.distance() == snapshot->distance() &&
-            case_.labels() == snapshot->labels() && case_.name() == snapshot->name() &&
-            case_.structures() == snapshot->structures() && case_.ct() == snapshot->ct())
-          case_.setUnmodified();
+        if (sameParts(case_, *snapshot)) case_.setUnmodified();
         log_.info(QObject::tr("Saved the case in %1.").arg(shortName(folder)));
         if (done) done();
       });

@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "Logic/Core/Case.h"
@@ -24,6 +26,12 @@ class CaseFiles {
   /// Writes the whole case as it is now into `folder`, replacing what an earlier save left there.
   bool save(const std::filesystem::path& folder, std::function<void()> done = {});
 
+  /// How the window shows the case, to be saved with it, and back when a case is opened that has it.
+  std::function<nlohmann::json()> viewToSave;
+  std::function<void(const nlohmann::json&)> viewOpened;
+  /// The files that label map and CT were read from, since the case was opened.
+  [[nodiscard]] const std::map<FileRole, std::filesystem::path>& sources() const { return sources_; }
+
  private:
   template <class Work, class Done>
   bool start(const QString& title, Work work, Done done);
@@ -31,6 +39,7 @@ class CaseFiles {
   Case& case_;
   JobRunner& runner_;
   Log& log_;
+  std::map<FileRole, std::filesystem::path> sources_;
 };
 
 }  // namespace falciform

@@ -17,7 +17,10 @@ void LogView::append(Log::Level level, const QString& text) {
   const QString time = QTime::currentTime().toString("HH:mm:ss");
   // The word says the level as well: colour alone is lost on some eyes and in copied text.
   const char* word = level == Log::Level::Info ? "" : level == Log::Level::Warning ? "Warning: " : "Error: ";
-  const char* colour = level == Log::Level::Info ? "" : level == Log::Level::Warning ? "#8a5a00" : "#a3160d";
+  const bool dark = palette().base().color().lightness() < 128;
+  const char* colour = level == Log::Level::Info      ? ""
+                       : level == Log::Level::Warning ? (dark ? "#f0c060" : "#8a5a00")
+                                                      : (dark ? "#ff9a8f" : "#a3160d");
   const QString line = (time + "  " + tr(word) + text).toHtmlEscaped();
   appendHtml(*colour ? QString("<span style=\"color:%1\">%2</span>").arg(colour, line)
                      : QString("<span>%1</span>").arg(line));

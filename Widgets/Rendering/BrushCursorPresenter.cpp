@@ -17,9 +17,11 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* data, float width, double units
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, units);
+  mapper->SetRelativeCoincidentTopologyPointOffsetParameter(units);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->GetProperty()->SetLineWidth(width);
+  actor->GetProperty()->SetPointSize(3 * width);
   actor->GetProperty()->LightingOff();
   actor->PickableOff();
   actor->VisibilityOff();
@@ -43,14 +45,29 @@ BrushCursorPresenter::~BrushCursorPresenter() {
 }
 
 void BrushCursorPresenter::show(const Points& ring, const Vector3d& colour) {
+  draw(ring, true, Points(0, 3), colour);
+}
+
+void BrushCursorPresenter::show(const Points& line, const Points& dots, const Vector3d& colour) {
+  draw(line, false, dots, colour);
+}
+
+void BrushCursorPresenter::draw(const Points& line, bool closed, const Points& dots, const Vector3d& colour) {
+  const Index n = line.rows();
   vtkNew<vtkPoints> points;
-  points->SetNumberOfPoints(ring.rows());
-  for (Index i = 0; i < ring.rows(); ++i) points->SetPoint(i, ring(i, 0), ring(i, 1), ring(i, 2));
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(ring.rows()) + 1);
-  for (Index i = 0; i <= ring.rows(); ++i) lines->InsertCellPoint(i % ring.rows());
+  points->SetNumberOfPoints(n + dots.rows());
+  for (Index i = 0; i < n; ++i) points->SetPoint(i, line.row(i).data());
+  for (Index i = 0; i < dots.rows(); ++i) points->SetPoint(n + i, dots.row(i).data());
+  vtkNew<vtkCellArray> lines, vertices;
+  const Index ends = n + (closed ? 1 : 0);
+  if (n > 1) {
+    lines->InsertNextCell(static_cast<int>(ends));
+    for (Index i = 0; i < ends; ++i) lines->InsertCellPoint(i % n);
+  }
+  for (Index i = 0; i < dots.rows(); ++i) vertices->InsertNextCell({static_cast<vtkIdType>(n + i)});
   data_->SetPoints(points);
   data_->SetLines(lines);
+  data_->SetVerts(vertices);
   line_->GetProperty()->SetColor(colour.x(), colour.y(), colour.z());
   rim_->VisibilityOn();
   line_->VisibilityOn();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "Widgets/Rendering/BrushRing.h"
 #include "Widgets/Rendering/SurfaceGeometry.h"
@@ -33,6 +34,8 @@ void PaintInteractor::startPainting(PatchPaintingLogic& logic, SurfacePresenter&
   presenter_ = &presenter;
   renderer_ = renderer;
   cursor_ = std::make_unique<BrushCursorPresenter>(renderer);
+  path_ = std::make_unique<PathTool>(renderer);
+  lasso_ = std::make_unique<LassoTool>(renderer);
 }
 
 void PaintInteractor::stopPainting() {
@@ -41,6 +44,8 @@ void PaintInteractor::stopPainting() {
   logic_ = nullptr;
   presenter_ = nullptr;
   cursor_.reset();
+  path_.reset();
+  lasso_.reset();
   picker_.reset();
   picked_.reset();
 }
@@ -88,6 +93,7 @@ void PaintInteractor::takeLabels(const PatchEdit& edit) {
 }
 
 Vector3d PaintInteractor::colourOf(int label) const {
+  if (label == patch::kNone) return kEraserColour;
   const auto& own = presenter_->style().patchColours;
   const auto found = own.find(label);
   return found != own.end() ? found->second : patchColour(label);
@@ -96,15 +102,19 @@ Vector3d PaintInteractor::colourOf(int label) const {
 void PaintInteractor::showCursor() {
   const int* at = Interactor->GetEventPosition();
   const auto place = placeAt(at[0], at[1]);
-  if (!place) {
+  if (place && logic_->tool == PaintTool::Line && !path_->empty() && logic_->surface() != nullptr)
+    path_->hover(*logic_->surface(), tree(), {place->hit.triangle, place->hit.vertex, place->hit.point},
+                 logic_->pathCost());
+  path_->draw(presenter_->sceneFromSurface(), colourOf(logic_->label));
+  const bool hasRing = logic_->tool == PaintTool::Brush || logic_->tool == PaintTool::Line;
+  if (!place || !hasRing) {
     cursor_->hide();
     return;
   }
   const Points ring = picker_->tree() ? geodesicRing(*picker_->tree(), place->hit.triangle, place->hit.point,
                                                      logic_->radiusMm)
                                       : flatRing(place->hit.point, place->viewDirection, logic_->radiusMm);
-  cursor_->show(transformed(ring, presenter_->sceneFromSurface()),
-                logic_->label == patch::kNone ? kEraserColour : colourOf(logic_->label));
+  cursor_->show(transformed(ring, presenter_->sceneFromSurface()), colourOf(logic_->label));
 }
 
 void PaintInteractor::OnMouseMove() {
@@ -113,9 +123,30 @@ void PaintInteractor::OnMouseMove() {
     return;
   }
   const int* at = Interactor->GetEventPosition();
-  if (logic_->inStroke()) paintTo(at[0], at[1]);
+  if (lasso_->running())
+    lasso_->add(at[0], at[1]);
+  else if (logic_->inStroke())
+    paintTo(at[0], at[1]);
   showCursor();
   Interactor->Render();
+}
+
+bool PaintInteractor::mayPaint() {
+  const auto warn = [&](const std::string& why) {
+    if (onWarn) onWarn(why);
+  };
+  if (const std::string refusal = logic_->refusal(); !refusal.empty()) {
+    warn(refusal);
+    return false;
+  }
+  const SurfaceStyle& style = presenter_->style();
+  if (!style.visible || style.opacity <= 0) {
+    warn("The surface is hidden: tick it in the case tree to paint on it.");
+    return false;
+  }
+  if (logic_->label != patch::kNone && style.hiddenPatches.contains(logic_->label))
+    warn("The patch that you paint is hidden: tick it in the list of patches to see it.");
+  return true;
 }
 
 void PaintInteractor::OnLeftButtonDown() {
@@ -123,32 +154,99 @@ void PaintInteractor::OnLeftButtonDown() {
     Superclass::OnLeftButtonDown();
     return;
   }
-  GrabFocus(EventCallbackCommand);
+  if (!mayPaint()) return;
   const int* at = Interactor->GetEventPosition();
   lastX_ = at[0];
   lastY_ = at[1];
-  logic_->beginStroke();
-  paintTo(lastX_, lastY_);
+  if (logic_->tool == PaintTool::Line) {
+    clickPath();
+  } else if (logic_->tool == PaintTool::Fill) {
+    fillAt();
+  } else {
+    GrabFocus(EventCallbackCommand);
+    if (logic_->tool == PaintTool::Lasso) {
+      lasso_->add(lastX_, lastY_);
+    } else {
+      logic_->beginStroke();
+      paintTo(lastX_, lastY_);
+    }
+  }
   showCursor();
   Interactor->Render();
 }
 
+// The first of the two clicks has set a corner here already.
+void PaintInteractor::OnLeftButtonDoubleClick() {
+  if (logic_ && logic_->tool == PaintTool::Line && !modifierHeld())
+    finishPath();
+  else
+    OnLeftButtonDown();
+}
+
 void PaintInteractor::OnLeftButtonUp() {
-  if (logic_ && logic_->inStroke()) {
+  if (logic_ && (logic_->inStroke() || lasso_->running())) {
     ReleaseFocus();
-    endStroke();
+    if (lasso_->running())
+      finishLasso();
+    else
+      endStroke();
     Interactor->Render();
     return;
   }
   Superclass::OnLeftButtonUp();
 }
 
+void PaintInteractor::clickPath() {
+  const auto place = placeAt(lastX_, lastY_);
+  const BrushSurface* surface = logic_->surface();
+  if (!place || surface == nullptr) return;
+  if (!path_->click(*surface, tree(), {place->hit.triangle, place->hit.vertex, place->hit.point},
+                    logic_->pathCost()) &&
+      onWarn)
+    onWarn("No way leads there: it is another piece of the surface.");
+}
+
+void PaintInteractor::finishPath() {
+  if (path_->empty()) return;
+  const BrushSurface* surface = logic_->surface();
+  if (surface != nullptr) takeLabels(logic_->paint(pointsAlong(*surface, path_->line(), logic_->radiusMm)));
+  path_->clear();
+  changed();
+}
+
+void PaintInteractor::finishLasso() {
+  const BrushSurface* surface = logic_->surface();
+  if (surface != nullptr) {
+    // Its tree may not be there yet, if the mouse has not touched the surface.
+    (void)placeAt(lastX_, lastY_);
+    takeLabels(logic_->paint(lasso_->inside(surface->shape(), tree(), presenter_->sceneFromSurface())));
+  }
+  lasso_->clear();
+  changed();
+}
+
+void PaintInteractor::fillAt() {
+  const auto place = placeAt(lastX_, lastY_);
+  const BrushSurface* surface = logic_->surface();
+  if (!place || surface == nullptr) return;
+  const std::vector<int> region = regionAt(*surface, logic_->labels(), place->hit.vertex);
+  if (const std::string problem = fillProblem(*surface, region); !problem.empty()) {
+    if (onWarn) onWarn(problem);
+    return;
+  }
+  // A click on another patch fills that patch: it means what it says.
+  const bool replaced = std::exchange(logic_->replaces, true);
+  takeLabels(logic_->paint(region));
+  logic_->replaces = replaced;
+  changed();
+}
+
 void PaintInteractor::OnMiddleButtonDown() {
-  if (!logic_ || !logic_->inStroke()) Superclass::OnMiddleButtonDown();
+  if (!logic_ || !(logic_->inStroke() || lasso_->running())) Superclass::OnMiddleButtonDown();
 }
 
 void PaintInteractor::OnRightButtonDown() {
-  if (!logic_ || !logic_->inStroke()) Superclass::OnRightButtonDown();
+  if (!logic_ || !(logic_->inStroke() || lasso_->running())) Superclass::OnRightButtonDown();
 }
 
 void PaintInteractor::OnMouseWheelForward() {
@@ -172,7 +270,19 @@ void PaintInteractor::OnLeave() {
 }
 
 void PaintInteractor::OnKeyPress() {
-  if (!logic_ || std::string(Interactor->GetKeySym() ? Interactor->GetKeySym() : "") != "Escape") return;
+  if (!logic_) return;
+  const std::string key = Interactor->GetKeySym() ? Interactor->GetKeySym() : "";
+  if (!path_->empty() && (key == "Return" || key == "KP_Enter")) return finishPath();
+  if (!path_->empty() && key == "BackSpace") {
+    path_->back();
+    return changed();
+  }
+  if (key != "Escape") return;
+  if (!path_->empty() || lasso_->running()) {  // what is begun first, painting itself at the next
+    path_->clear();
+    lasso_->clear();
+    return changed();
+  }
   stopPainting();
   if (onLeave) onLeave();
   Interactor->Render();
@@ -187,7 +297,7 @@ void PaintInteractor::paintKey(char key) {
   if (key == '+' || key == '=') return scaleBrush(1.2);
   if (key == '-') return scaleBrush(0.8);
   // The patch stays the same for a whole stroke, and a running stroke is not undone.
-  if (logic_->inStroke()) return;
+  if (logic_->inStroke() || lasso_->running()) return;
   if (key >= '0' && key <= '9') {
     logic_->label = key - '0';
   } else if (key == 'z' && logic_->canUndo()) {

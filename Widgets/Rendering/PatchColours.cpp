@@ -29,6 +29,8 @@ Vector3d supportColour(SupportRegionKind kind, int label) {
   return other ? Vector3d(0.96, 0.62, 0.05) : Vector3d(0.98, 0.85, 0.10);
 }
 
-Vector3d scanPatchColour(int label) { return 0.45 * patchColour(label) + 0.55 * Vector3d::Ones(); }
+Vector3d scanPatchColour(const Vector3d& colour) { return 0.45 * colour + 0.55 * Vector3d::Ones(); }
+
+Vector3d scanPatchColour(int label) { return scanPatchColour(patchColour(label)); }
 
 }  // namespace falciform

@@ -17,6 +17,7 @@ inline const Vector3d kScanColour{0.74, 0.70, 0.68};  ///< of a scan without col
 
 /// The same patch on the scan, where both sides are shown: the same hue, much lighter.
 [[nodiscard]] Vector3d scanPatchColour(int label);
+[[nodiscard]] Vector3d scanPatchColour(const Vector3d& patchColour);
 
 /// Colour of a painted support, after the thesis's Fig. V.6: fixed light blue, sliding dark blue, pushed
 /// yellow; a little different from label to label, so that two of a kind can be told apart.

@@ -48,6 +48,13 @@ Scene::~Scene() {
   detach();
 }
 
+void Scene::setDark(bool dark) {
+  const Vector3d bottom = dark ? Vector3d(0.50, 0.53, 0.57) : style_.background;
+  const Vector3d top = dark ? Vector3d(0.66, 0.69, 0.72) : style_.backgroundTop;
+  renderer_->SetBackground(bottom.x(), bottom.y(), bottom.z());
+  renderer_->SetBackground2(top.x(), top.y(), top.z());
+}
+
 void Scene::attach(vtkRenderWindow* window) {
   detach();
   window_ = window;

@@ -42,6 +42,8 @@ class Scene {
 
   [[nodiscard]] vtkRenderer* renderer() const { return renderer_; }
   [[nodiscard]] const SceneStyle& style() const { return style_; }
+  /// A darker background, on which the same text is read.
+  void setDark(bool dark);
   [[nodiscard]] OrientationCubePresenter& orientation() { return *cube_; }
 
   /// Makes a `Presenter(renderer(), arguments...)` that lives as long as the scene, or until remove().

@@ -112,7 +112,7 @@ Vector3d SurfacePresenter::colourAt(Index point) const {
     return colourOf(*map_, known ? values->second[point] : std::numeric_limits<double>::quiet_NaN());
   }
   const int label = labels_.empty() ? patch::kNone : labels_[static_cast<std::size_t>(point)];
-  if (style_.patches && label != patch::kNone) {
+  if (style_.patches && label != patch::kNone && !style_.hiddenPatches.contains(label)) {
     const auto own = style_.patchColours.find(label);
     return own != style_.patchColours.end() ? own->second : patchColour(label);
   }

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "Logic/Core/Surface.h"
@@ -27,6 +28,7 @@ struct SurfaceStyle {
   bool ownColours = true;  ///< the scan's photograph or RGB where it has one
   bool patches = true;     ///< painted points in their patch's colour
   std::map<int, Vector3d> patchColours = {};  ///< in place of patchColour(label)
+  std::set<int> hiddenPatches = {};           ///< drawn as if they were not painted
   int pointPx = 4;                            ///< size of a cloud's points
 
   bool operator==(const SurfaceStyle&) const = default;

@@ -70,6 +70,7 @@ CaseScene::CaseScene(const Case& document, const ViewState& view, int textPx)
       scan_(scene_.add<SurfacePresenter>()),
       preopLandmarks_(scene_.add<SurfacePresenter>()),
       scanLandmarks_(scene_.add<SurfacePresenter>()),
+      targets_(scene_.add<SurfacePresenter>()),
       bar_(scene_.add<ColourBarPresenter>(textPx, scene_.style().text)),
       legend_(scene_.add<LegendPresenter>(textPx, scene_.style().text)),
       title_(scene_.add<TextPresenter>(TextPlace::TopCentre, textPx, scene_.style().text)),
@@ -149,13 +150,14 @@ bool CaseScene::follow() {
   if (now.supports && case_.supports())
     for (const auto& [label, region] : case_.supports()->regions)
       preopStyle.patchColours[label] = supportColour(region.kind, label);
+  else
+    dressPatches(preopStyle, false);
   // Of two patches on each other, one must be told from the other.
-  if (now.preop && now.scan)
-    for (const int label : patchLabels(*now.scan)) scanStyle.patchColours[label] = scanPatchColour(label);
+  dressPatches(scanStyle, now.preop && now.scan);
   draw(preop_, now.preop, now.sceneFromPreop, now.preopMap, preopStyle);
   draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
   followStructures(now);
-  followLandmarks();
+  followLandmarks(now);
   followTexts(now);
   scene_.orientation().setVisible(!scanAlone() || case_.registration() != nullptr);
   scene_.orientation().setSceneFromLps(sceneFromLps());
@@ -218,7 +220,17 @@ void CaseScene::drawStructure(const std::string& name, const std::shared_ptr<con
   if (presenter->surface() != surface && style.visible) presenter->show(surface);
 }
 
-void CaseScene::followLandmarks() {
+void CaseScene::dressPatches(SurfaceStyle& style, bool light) const {
+  for (int label = patch::kFalciform; label <= patch::kMax && light; ++label)
+    style.patchColours[label] = scanPatchColour(label);
+  for (const auto& [label, look] : view_.options().patchLooks) {
+    const Vector3d colour(look.colour[0], look.colour[1], look.colour[2]);
+    style.patchColours[label] = light ? scanPatchColour(colour) : colour;
+    if (!look.visible) style.hiddenPatches.insert(label);
+  }
+}
+
+void CaseScene::followLandmarks(const Wanted& now) {
   const auto draw = [&](SurfacePresenter& presenter, const Landmarks& landmarks, const char* part,
                         bool visible) {
     SurfaceStyle style = styleOf(view_.look(part));
@@ -230,6 +242,14 @@ void CaseScene::followLandmarks() {
   draw(preopLandmarks_, case_.preopLandmarks(), part::kPreopLandmarks, preop_.surface() != nullptr);
   draw(scanLandmarks_, case_.scanLandmarks(), part::kScanLandmarks, scan_.surface() != nullptr);
   scanLandmarks_.setSceneFromSurface(scan_.sceneFromSurface());
+  Landmarks targets = case_.targets();
+  const auto& moved = view_.options().movedTargets;
+  if (now.update && moved && moved->rows() == static_cast<Index>(targets.points.size()))
+    for (std::size_t i = 0; i < targets.points.size(); ++i)
+      targets.points[i].position = moved->row(static_cast<Index>(i)).transpose();
+  // Where supports push them nobody has said.
+  draw(targets_, targets, part::kTargets, preop_.surface() != nullptr && (!now.deformed || now.update));
+  targets_.setSceneFromSurface(preop_.sceneFromSurface());
 }
 
 void CaseScene::followTexts(const Wanted& now) {
@@ -261,15 +281,17 @@ void CaseScene::followTexts(const Wanted& now) {
       if (!surface) continue;
       const bool light = both && surface == now.scan;
       const bool held = now.supports && surface == now.preop;
-      for (const int label : patchLabels(*surface))
+      const SurfaceStyle& style = (surface == now.scan ? scan_ : preop_).style();
+      for (const int label : patchLabels(*surface)) {
+        if (style.hiddenPatches.contains(label)) continue;
+        const auto own = style.patchColours.find(label);
         entries.push_back(
-            {light  ? scanPatchColour(label)
-             : held ? supportColour(case_.supports()->regions.at(label).kind, label)
-                    : patchColour(label),
+            {own != style.patchColours.end() ? own->second : patchColour(label),
              (light  ? "scan: "
               : both ? "liver: "
                      : "") +
                  (held ? supportCaption(case_.supports()->regions.at(label)) : patchName(*surface, label))});
+      }
     }
   }
   if (narrow_) {

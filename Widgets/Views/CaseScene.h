@@ -60,14 +60,16 @@ class CaseScene {
   void followStructures(const Wanted& wanted);
   void drawStructure(const std::string& name, const std::shared_ptr<const Surface>& surface,
                      SurfacePresenter*& presenter, bool visible, bool ghost);
-  void followLandmarks();
+  void followLandmarks(const Wanted& wanted);
+  /// Patches as the user wants them; `light`: of two on each other this one.
+  void dressPatches(SurfaceStyle& style, bool light) const;
   void followTexts(const Wanted& wanted);
 
   const Case& case_;
   const ViewState& view_;
   int textPx_;
   Scene scene_;
-  SurfacePresenter &preop_, &scan_, &preopLandmarks_, &scanLandmarks_;
+  SurfacePresenter &preop_, &scan_, &preopLandmarks_, &scanLandmarks_, &targets_;
   ColourBarPresenter& bar_;
   LegendPresenter& legend_;
   TextPresenter &title_, &corner_;  ///< the second where two views beside each other leave little room

@@ -100,7 +100,8 @@ void CaseSlices::follow() {
                           : case_.labels() ? tr("label map as imaged (no CT in the case)")
                                            : tr("no CT and no label map in the case");
   legend_->setText(
-      swatch(before(), QString::fromUtf8("– –")) + tr("as registered") + "&nbsp;&nbsp; " +
+      swatch(before(), QString::fromUtf8("– –")) +
+      (case_.registration() ? tr("as registered") : tr("surfaces of the case")) + "&nbsp;&nbsp; " +
       (updated ? swatch(kAfter, QString::fromUtf8("——")) + tr("as updated") + "&nbsp;&nbsp; " : QString()) +
       picture + tr(". Patient's frame (LPS), mm"));
 }

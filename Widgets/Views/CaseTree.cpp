@@ -30,13 +30,16 @@ CaseTree::CaseTree(Case& document, ViewState& view, QWidget* parent)
     : QTreeWidget(parent), case_(document), view_(view) {
   setObjectName("caseTree");
   setColumnCount(3);
-  setHeaderLabels({tr("Part"), tr("Colour"), tr("Opacity")});
+  setHeaderLabels({tr("Part"), QString(), tr("Opacity")});
+  headerItem()->setToolTip(kColour, tr("Colour: click to change it"));
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(kName, QHeaderView::Stretch);
-  header()->setSectionResizeMode(kColour, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kColour, QHeaderView::Fixed);
+  header()->resizeSection(kColour, 40);
   header()->setSectionResizeMode(kOpacity, QHeaderView::ResizeToContents);
   setRootIsDecorated(false);
   setSelectionMode(QAbstractItemView::NoSelection);
+  header()->setMinimumSectionSize(24);
   setToolTip(tr("What the case holds: tick to show, click the colour to change it, opacity in %"));
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
     if (filling_ || column != kName || partOf(item).empty()) return;
@@ -65,7 +68,7 @@ QTreeWidgetItem* CaseTree::addPart(const QString& name, const std::string& part,
   auto* item = new QTreeWidgetItem(this, {name});
   item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
   item->setData(0, kPart, QString::fromStdString(part));
-  item->setToolTip(kName, facts);
+  item->setToolTip(kName, name + "\n" + facts);
   item->setToolTip(kColour, tr("Click to choose another colour"));
   auto* opacity = new QSpinBox(this);
   opacity->setObjectName("opacity_" + QString::fromStdString(part));
@@ -92,7 +95,7 @@ void CaseTree::rebuild() {
     addFact(tr("Label map"),
             tr("%1 x %2 x %3 voxels").arg(labels->size.x()).arg(labels->size.y()).arg(labels->size.z()));
   if (const auto& ct = case_.ct())
-    addFact(tr("CT"), tr("%1 x %2 x %3 voxels; shown as slices in the atlas update")
+    addFact(tr("CT"), tr("%1 x %2 x %3 voxels; View > CT slices shows it")
                           .arg(ct->size.x())
                           .arg(ct->size.y())
                           .arg(ct->size.z()));
@@ -107,7 +110,7 @@ void CaseTree::rebuild() {
     addPart(tr("Scan landmarks"), part::kScanLandmarks,
             tr("%1 points").arg(case_.scanLandmarks().points.size()));
   if (!case_.targets().points.empty())
-    addFact(tr("Targets"),
+    addPart(tr("Targets"), part::kTargets,
             tr("%1 places inside the liver%2")
                 .arg(case_.targets().points.size())
                 .arg(case_.truthTargets().points.empty() ? QString() : tr(", and where they truly are")));
@@ -118,6 +121,9 @@ void CaseTree::rebuild() {
     addFact(tr("Supports"), tr("What holds and pushes the liver, painted on its surface"));
   if (case_.distance())
     addFact(tr("Distance map"), tr("Signed distance between scan and pre-op surface, mm"));
+  if (case_.update())
+    addFact(case_.updateStale() ? tr("Model update (out of date)") : tr("Model update"),
+            tr("Expected error %1 mm on average").arg(case_.update()->expectedErrorMeanMm, 0, 'f', 1));
   if (topLevelItemCount() == 0) {
     addFact(tr("(empty: open or drop a file)"), tr("Open a label map, a surface, a scan or a case"));
     topLevelItem(0)->setFlags(Qt::NoItemFlags);

@@ -11,6 +11,7 @@
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "Widgets/Rendering/CameraViews.h"
 #include "Widgets/Rendering/PaintInteractor.h"
@@ -52,6 +53,7 @@ struct CaseView3D::Parts {
   vtkMTimeType drawnCamera = 0;
   QPoint mouse;
   bool fitWanted = true;
+  std::vector<double> cameraWanted;  // in place of the next fit
   Connection caseChanged, viewChanged;
 };
 
@@ -80,6 +82,7 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
   column->addWidget(parts_->probeText);
 
   parts_->style->onChange = [this] { parts_->view.brushChanged.emit(); };
+  parts_->style->onWarn = [this](const std::string& why) { parts_->view.warned.emit(why); };
   parts_->style->onLeave = [this] {
     parts_->view.edit([](ViewOptions& options) { options.painting = false; });
   };
@@ -125,6 +128,7 @@ void CaseView3D::followSoon() { parts_->followTimer->start(); }
 
 void CaseView3D::follow() {
   if (parts_->scene.follow()) parts_->fitWanted = true;
+  parts_->scene.scene().setDark(parts_->view.options().darkScene);
   parts_->style->sceneFromLps = parts_->mover->sceneFromLps = parts_->scene.sceneFromLps();
   followPainting();
   followMoving();
@@ -132,6 +136,7 @@ void CaseView3D::follow() {
   if (parts_->fitWanted && parts_->canvas->isVisible()) {
     parts_->fitWanted = false;
     fit();  // renders
+    takeCamera();
   } else {
     render();
   }
@@ -177,6 +182,40 @@ void CaseView3D::followMoving() {
 void CaseView3D::fit() {
   const Eigen::Vector2d size = pixelSize(*parts_->canvas);
   parts_->scene.fit(size.x(), size.y());
+  render();
+}
+
+std::vector<double> CaseView3D::camera() const {
+  vtkCamera* from = parts_->scene.scene().renderer()->GetActiveCamera();
+  std::vector<double> numbers;
+  for (const double* three : {from->GetPosition(), from->GetFocalPoint(), from->GetViewUp()})
+    numbers.insert(numbers.end(), three, three + 3);
+  numbers.push_back(from->GetViewAngle());
+  return numbers;
+}
+
+void CaseView3D::setCamera(const std::vector<double>& camera) {
+  if (camera.size() != 10) return;
+  parts_->cameraWanted = camera;
+  parts_->fitWanted = true;
+  followSoon();
+}
+
+void CaseView3D::takeCamera() {
+  const std::vector<double> wanted = std::exchange(parts_->cameraWanted, {});
+  if (wanted.empty()) return;
+  const Vector3d position(wanted[0], wanted[1], wanted[2]), focus(wanted[3], wanted[4], wanted[5]),
+      up(wanted[6], wanted[7], wanted[8]);
+  // A camera that looks nowhere would show nothing.
+  const bool looks = (focus - position).norm() > 1e-6 && (focus - position).cross(up).norm() > 1e-6 &&
+                     wanted[9] > 0.1 && wanted[9] < 170;
+  if (!looks) return;
+  vtkCamera* camera = parts_->scene.scene().renderer()->GetActiveCamera();
+  camera->SetPosition(position.data());
+  camera->SetFocalPoint(focus.data());
+  camera->SetViewUp(up.data());
+  camera->SetViewAngle(wanted[9]);
+  parts_->scene.scene().renderer()->ResetCameraClippingRange();
   render();
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "Logic/Core/Case.h"
 #include "Logic/Patches/PatchPaintingLogic.h"
@@ -28,6 +29,11 @@ class CaseView3D : public QWidget {
   /// Takes the picture now; the function returned writes it as PNG, on any thread, replacing an old file.
   [[nodiscard]] std::function<void(const std::filesystem::path&)> picture();
 
+  /// Where the camera stands, looks, and which way is up (mm in the scene), and its view angle: 10 numbers.
+  [[nodiscard]] std::vector<double> camera() const;
+  /// The same, once what is to be drawn next has been fitted; ignored unless it is such a list.
+  void setCamera(const std::vector<double>& camera);
+
   /// Looks from where `other` looks, from now on and both ways.
   void shareCamera(CaseView3D& other);
 
@@ -46,6 +52,7 @@ class CaseView3D : public QWidget {
   void watchCamera();
   void render();
   void follow();
+  void takeCamera();
   void followPainting();
   void followMoving();
   void probe();

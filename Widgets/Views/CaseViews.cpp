@@ -46,6 +46,7 @@ void CaseViews::follow() {
       other.liveDeformed = options.comparedLiver;
       other.deformedCaption = options.comparedCaption;
       other.movedStructures.clear();
+      other.movedTargets.reset();
       for (const auto& [name, surface] : case_.structures()) other.movedStructures[name] = surface;
     });
     if (!compared_) {
@@ -62,16 +63,17 @@ void CaseViews::follow() {
   main_->toolBar()->setVisible(!gallery);
   rows_->setVisible(!gallery);
   const bool wasCompared = compared_ && compared_->isVisibleTo(this);
+  const bool slices = options.slicesShown || options.slicesWanted;
   const bool wereSlices = slices_ && slices_->isVisibleTo(this);
   if (compared_) compared_->setVisible(compare);
   if (compare && !wasCompared) columns_->setSizes({1000, 1000});
-  if (options.slicesShown && !slices_) {
+  if (slices && !slices_) {
     slices_ = new CaseSlices(case_, view_, rows_);
     rows_->setSizes({1300, 1000});
   }
-  if (slices_) slices_->setVisible(options.slicesShown);
+  if (slices_) slices_->setVisible(slices);
   // Once the views have their new sizes.
-  if (compare != wasCompared || options.slicesShown != wereSlices)
+  if (compare != wasCompared || slices != wereSlices)
     QTimer::singleShot(kFitAfterMs, this, [this] {
       if (compared_ && compared_->isVisible()) compared_->fit();
       main_->fit();

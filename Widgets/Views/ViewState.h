@@ -22,10 +22,19 @@ struct PartLook {
   bool operator==(const PartLook&) const = default;
 };
 
+/// How one patch is drawn, on both surfaces.
+struct PatchLook {
+  bool visible = true;
+  std::array<double, 3> colour{0.8, 0.8, 0.8};  ///< red, green, blue in [0, 1]
+
+  bool operator==(const PatchLook&) const = default;
+};
+
 /// Names of the parts as the tree and the views know them.
 namespace part {
 inline constexpr char kPreop[] = "preop", kScan[] = "scan";
 inline constexpr char kPreopLandmarks[] = "preopLandmarks", kScanLandmarks[] = "scanLandmarks";
+inline constexpr char kTargets[] = "targets";
 [[nodiscard]] inline std::string structure(const std::string& name) { return "structure/" + name; }
 }  // namespace part
 
@@ -38,6 +47,7 @@ enum class Arrangement {
 
 struct ViewOptions {
   std::map<std::string, PartLook> looks;  ///< what differs from defaultLook()
+  std::map<int, PatchLook> patchLooks;    ///< what differs from patchColour()
   Arrangement arrangement = Arrangement::Together;
   bool afterRegistration = true;                       ///< false shows the scan at the start pose
   Matrix4d startPreopFromScan = Matrix4d::Identity();  ///< where a registration would begin
@@ -64,13 +74,16 @@ struct ViewOptions {
   bool updateShown = false;                ///< what moves it is a model update: the scan is shown with it,
   std::optional<ScalarMap> updateColours;  ///< these are its colours, where it has their array,
   std::map<std::string, std::shared_ptr<const Surface>>
-      movedStructures;            ///< these its structures, pre-op mm,
-  bool structuresBefore = false;  ///< and where they were is drawn as well
+      movedStructures;                 ///< these its structures, pre-op mm,
+  std::optional<Points> movedTargets;  ///< these its targets, pre-op mm, in the order of the case's,
+  bool structuresBefore = false;       ///< and where they were is drawn as well
   std::shared_ptr<const Surface>
       comparedLiver;            ///< beside it in a second view: the liver as only registered,
   std::string comparedCaption;  ///< and what that is
   bool colourBarShown = true;   ///< of two views beside each other one is enough
-  bool slicesShown = false;     ///< CT or label map as three cuts, with outlines
+  bool slicesShown = false;     ///< CT or label map as three cuts, with outlines: the step wants them,
+  bool slicesWanted = false;    ///< or the user, whatever the step
+  bool darkScene = false;       ///< a darker background, for the dark theme
 
   bool operator==(const ViewOptions&) const = default;
 };
@@ -79,11 +92,14 @@ struct ViewOptions {
 class ViewState {
  public:
   Signal<> changed;
-  Signal<> brushChanged;  ///< the mouse or a key changed radius, patch, labels or undo steps
+  Signal<const std::string&> warned;  ///< what mouse or key asked for is not done, or not seen, and why
+  Signal<> brushChanged;              ///< the mouse or a key changed radius, patch, labels or undo steps
 
   [[nodiscard]] const ViewOptions& options() const { return options_; }
   [[nodiscard]] PartLook look(const std::string& part) const;
   void setLook(const std::string& part, const PartLook& look);
+  [[nodiscard]] PatchLook patchLook(int label) const;
+  void setPatchLook(int label, const PatchLook& look);
 
   /// `change(ViewOptions&)`, announced once if anything is different afterwards.
   template <class Change>

@@ -181,6 +181,7 @@ TEST_F(PatchPainting, KeepsTheLast200Steps) {
   const Surface plane = test::grid(10, 10);
   openPreop(plane);
   PatchPaintingLogic logic(document);
+  logic.replaces = true;
   for (int k = 0; k < 230; ++k) {
     logic.label = k % 2 == 0 ? 1 : 2;
     ASSERT_FALSE(strokeAt(logic, plane, {5, 5, 9}, {5, 5, 0}).empty());
@@ -196,6 +197,7 @@ TEST_F(PatchPainting, ForgetsItsStepsAndTheRunningStrokeWhenAnotherSurfaceComes)
   const Surface body = test::sphere(50, 4);
   openPreop(body);
   PatchPaintingLogic logic(document);
+  logic.replaces = true;
   (void)strokeAt(logic, body, {200, 0, 0}, {0, 0, 0});
   logic.beginStroke();
   (void)logic.dab(0, body.points.row(body.triangles(0, 0)));

@@ -1,0 +1,142 @@
+#include <QMessageBox>
+#include <QtTest/QTest>
+#include <cstdio>
+
+#include "Logic/Acquisition/SyntheticLiver.h"
+#include "Logic/Acquisition/VirtualScanner.h"
+#include "Logic/IO/CaseFolder.h"
+#include "Testing/Gui/EventWatch.h"
+#include "Testing/Gui/WindowFixture.h"
+#include "Testing/Support/TemporaryFolder.h"
+
+namespace falciform::test {
+namespace {
+
+/// A liver of the usual size, painted, and its scan, as a case folder made once.
+const std::filesystem::path& caseFolder() {
+  static const TemporaryFolder folder;
+  static const std::filesystem::path made = [] {
+    SyntheticLiverSettings settings;
+    settings.voxelMm = 10;  // not used
+    const SyntheticLiver liver = makeSyntheticLiver(settings);
+    Case document;
+    document.setName("Usual size");
+    document.setPreop(std::make_shared<const Surface>(liver.surface));
+    document.setScan(std::make_shared<const Surface>(scanSurface(liver.surface, {}).scan));
+    saveCase(document, folder / "case", Overwrite::Refuse);
+    return folder / "case";
+  }();
+  return made;
+}
+
+/// No event may hold the window's thread up for longer than a person takes for "at once".
+struct Freeze : WindowTest {
+  static constexpr double kLongestMs = 100;
+
+  static WatchedApplication& application() { return *static_cast<WatchedApplication*>(qApp); }
+
+  /// Does it up to three times, since a busy machine makes one slow turn; the best of them counts. Judged by
+  /// the thread's own processor time, which other programs do not lengthen much.
+  void isSmooth(const char* what, const std::function<void()>& action) {
+    WatchedApplication::Slow best{"", 1e9, 1e9};
+    for (int attempt = 0; attempt < 3 && best.cpuMs > kLongestMs; ++attempt) {
+      handleEvents(100);
+      application().watch();
+      action();
+      handleEvents(100);
+      if (application().slowest().cpuMs < best.cpuMs) best = application().slowest();
+    }
+    std::printf("%-28s %6.1f ms processor, %6.1f ms by the clock: %s\n", what, best.cpuMs, best.wallMs,
+                qPrintable(best.what));
+    EXPECT_LE(best.cpuMs, kLongestMs) << what << ": " << best.what.toStdString();
+  }
+  void openCase() {
+    window->open({QString::fromStdString(caseFolder().string())});
+    waitUntil([&] { return bench->document.scan() != nullptr; }, "the case", 60);
+    waitIdle();
+    handleEvents(300);
+  }
+};
+
+TEST_F(Freeze, NoStepHoldsTheWindowUpForATenthOfASecond) {
+  (void)caseFolder();
+  isSmooth("opening the case", [&] { openCase(); });
+  ASSERT_TRUE(bench->document.preop());
+  isSmooth("going through the steps", [&] {
+    for (const char* module :
+         {"PatchPainting", "Registration", "DeformationAnalysis", "AtlasUpdate", "PatchPainting"}) {
+      window->showModule(module);
+      handleEvents(100);
+    }
+  });
+  window->showModule("PatchPainting");
+  click("paint");
+  const QRect canvas = window->view()->canvas()->rect();
+  const QPoint middle = canvas.center();
+  isSmooth("the mouse comes over the liver", [&] {
+    QTest::mouseMove(window->view()->canvas(), middle);
+    handleEvents(100);
+  });
+  isSmooth("painting strokes", [&] {
+    for (int stroke = 0; stroke < 3; ++stroke) {
+      std::vector<QPoint> way;
+      for (int i = 0; i <= 20; ++i) way.push_back(middle + QPoint(-120 + 12 * i, -60 + 40 * stroke));
+      press(stroke == 1 ? Qt::Key_2 : Qt::Key_3);
+      drag(way);
+    }
+  });
+  EXPECT_TRUE(bench->painting.canUndo());
+  isSmooth("undo and redo", [&] {
+    for (int i = 0; i < 3; ++i) press(Qt::Key_Z);
+    for (int i = 0; i < 3; ++i) press(Qt::Key_Y);
+  });
+  isSmooth("whole-patch operations", [&] {
+    for (const char* operation : {"growPatch", "shrinkPatch", "smoothPatch", "largestPiece", "fillHoles"})
+      click(operation);
+  });
+  press(Qt::Key_Escape);
+  window->showModule("Registration");
+  isSmooth("registering", [&] {
+    click("register");
+    waitIdle();
+  });
+  ASSERT_TRUE(bench->document.registration()) << errors.join(" ").toStdString();
+  window->showModule("DeformationAnalysis");
+  isSmooth("the distance map", [&] {
+    click("compute");
+    waitIdle();
+  });
+  ASSERT_TRUE(bench->document.distance()) << errors.join(" ").toStdString();
+  isSmooth("saving", [&] {
+    trigger("saveCase");
+    waitIdle();
+  });
+  EXPECT_TRUE(errors.isEmpty()) << errors.join(" ").toStdString();
+}
+
+TEST_F(Freeze, ClosingWhileRegisteringOrMeasuringIsSafe) {
+  openCase();
+  const auto closeDuring = [&](const char* module, const char* button) {
+    window->showModule(module);
+    click(button);
+    EXPECT_TRUE(bench->runner.busy()) << button;
+    answerNext("QMessageBox", [](QWidget* box) {
+      QTest::mouseClick(static_cast<QMessageBox*>(box)->button(QMessageBox::Discard), Qt::LeftButton);
+    });
+    window->close();
+    waitUntil([&] { return !window->isVisible(); }, "the window to close", 60);
+    EXPECT_FALSE(bench->runner.busy());
+    EXPECT_TRUE(errors.isEmpty()) << errors.join(" ").toStdString();
+  };
+  bench->document.setName("changed");
+  closeDuring("Registration", "register");
+  openWindow();
+  openCase();
+  window->showModule("Registration");
+  click("register");
+  waitIdle();
+  closeDuring("DeformationAnalysis", "compute");
+}
+
+}  // namespace
+}  // namespace falciform::test
