@@ -21,15 +21,7 @@ struct Canvas {
   std::vector<int> labels;
   std::optional<BrushSurface> brush;  ///< made at the first stroke
   std::deque<PatchEdit> undo, redo;
-  std::shared_ptr<const Curvatures> curvatures;
-  PathSnap costOf = PathSnap::None;  ///< what `cost` was made for
-  VectorXd cost;
-
-  void forgetCurvatures() {
-    curvatures.reset();
-    costOf = PathSnap::None;
-    cost.resize(0);
-  }
+  std::map<PathSnap, std::shared_ptr<const VectorXd>> costs;
 
   void take(const std::shared_ptr<const Surface>& newSurface, const std::vector<int>& newLabels) {
     surface = newSurface;
@@ -38,7 +30,7 @@ struct Canvas {
     undo.clear();
     redo.clear();
     if (brush && !(surface && brush->madeFrom(*surface))) brush.reset();
-    forgetCurvatures();
+    costs.clear();
   }
 
   void assign(const std::vector<int>& ids, const std::vector<int>& values) {
@@ -281,29 +273,19 @@ PatchEdit PatchPaintingLogic::redo() {
   return again;
 }
 
-void PatchPaintingLogic::setCurvatures(const std::shared_ptr<const Surface>& of,
-                                       std::shared_ptr<const Curvatures> curvatures) {
-  for (Canvas& canvas : state_->canvases) {
+void PatchPaintingLogic::setPathCost(const std::shared_ptr<const Surface>& of, PathSnap kind,
+                                     std::shared_ptr<const VectorXd> cost) {
+  for (Canvas& canvas : state_->canvases)
     // Painted meanwhile it is another Surface of the same shape.
-    if (!of || !canvas.surface || canvas.surface->points.rows() != of->points.rows() ||
-        canvas.surface->points != of->points)
-      continue;
-    canvas.forgetCurvatures();
-    canvas.curvatures = curvatures;
-  }
+    if (of && cost && canvas.surface && canvas.surface->points.rows() == of->points.rows() &&
+        cost->size() == of->size() && canvas.surface->points == of->points)
+      canvas.costs[kind] = cost;
 }
 
-bool PatchPaintingLogic::hasCurvatures() const { return state_->of(target).curvatures != nullptr; }
-
-const VectorXd& PatchPaintingLogic::pathCost() {
-  Canvas& canvas = state_->of(target);
-  if (canvas.costOf != snap) {
-    canvas.costOf = snap;
-    canvas.cost =
-        snap == PathSnap::None || !canvas.curvatures ? VectorXd() : snapCost(*canvas.curvatures, snap);
-    if (!canvas.curvatures) canvas.costOf = PathSnap::None;
-  }
-  return canvas.cost;
+std::shared_ptr<const VectorXd> PatchPaintingLogic::pathCost() const {
+  const auto& costs = state_->of(target).costs;
+  const auto found = costs.find(snap);
+  return snap == PathSnap::None || found == costs.end() ? nullptr : found->second;
 }
 
 PatchEdit PatchPaintingLogic::paint(const std::vector<int>& ids) {

@@ -19,6 +19,9 @@ struct PatchEdit {
 /// What is painted: patches on one of the two surfaces of the case, or supports on the pre-operative one.
 enum class PaintTarget { Preop, Scan, Supports };
 
+/// What a line is drawn to.
+enum class PathSnap { None, Ridge, Groove };
+
 /// What the mouse does: paints where it is dragged, lays a line from click to click, goes around what is to
 /// be painted, or fills what it clicks.
 enum class PaintTool { Brush, Line, Lasso, Fill };
@@ -33,7 +36,7 @@ class PatchPaintingLogic {
 
   PaintTarget target = PaintTarget::Preop;
   PaintTool tool = PaintTool::Brush;
-  PathSnap snap = PathSnap::None;  ///< of the line tool; wants setCurvatures()
+  PathSnap snap = PathSnap::None;  ///< of the line tool; wants setPathCost()
   int label = patch::kFalciform;   ///< of a patch, or of a support's region; 0 erases
   bool replaces = false;           ///< patches: paints over others too; else where nothing is painted
   double radiusMm = 6.0;           ///< brush radius along the surface, in [0.5, 60]
@@ -67,12 +70,12 @@ class PatchPaintingLogic {
   /// The target's surface as the brush knows it, for the operations of PatchShapes.h and PatchPath.h; made
   /// when first asked for. nullptr while input is missing.
   [[nodiscard]] const BrushSurface* surface();
-  /// Curvatures of the target's surface `of`, for `snap`; forgotten when another surface comes. Ignored if
-  /// `of` is no longer the one in the case.
-  void setCurvatures(const std::shared_ptr<const Surface>& of, std::shared_ptr<const Curvatures> curvatures);
-  [[nodiscard]] bool hasCurvatures() const;
-  /// What shortestPath() shall be given: costs for `snap`, or no values where there is nothing to snap to.
-  [[nodiscard]] const VectorXd& pathCost();
+  /// What a step costs at each point of `of` for a line that snaps (crestCost()); forgotten when another
+  /// surface comes. Ignored if `of` is no longer in the case.
+  void setPathCost(const std::shared_ptr<const Surface>& of, PathSnap kind,
+                   std::shared_ptr<const VectorXd> cost);
+  /// For `snap` on the target's surface; nullptr where there is nothing to snap to, or not yet.
+  [[nodiscard]] std::shared_ptr<const VectorXd> pathCost() const;
   /// Paints these points as the brush would; one undo step.
   PatchEdit paint(const std::vector<int>& ids);
   /// What an operation says of the patch `which`: it gains as the brush would paint; one undo step.

@@ -12,8 +12,6 @@ namespace falciform {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-constexpr double kHalfCostPerMm = 0.05;  // curvature that halves the cost of a step
-constexpr double kLeastCost = 0.05;
 constexpr int kMostKnots = 100;         // of a path that is pulled taut
 constexpr double kLargestStepMm = 0.5;  // between the places of the answer
 
@@ -210,19 +208,6 @@ std::vector<int> pointsAlong(const BrushSurface& surface, const Path& path, doub
   for (std::size_t i = 0; i < chosen.size(); ++i)
     if (chosen[i] != 0) ids.push_back(static_cast<int>(i));
   return ids;
-}
-
-VectorXd snapCost(const Curvatures& curvatures, PathSnap snap) {
-  const VectorXd& k1 = curvatures.k1;
-  VectorXd cost = VectorXd::Ones(k1.size());
-  if (snap == PathSnap::None) return cost;
-  for (Index i = 0; i < cost.size(); ++i) {
-    const double bent = snap == PathSnap::Ridge ? k1[i] : -curvatures.k2[i];
-    if (!(bent > 0)) continue;  // also where it is not known
-    const double sharp = bent / kHalfCostPerMm;
-    cost[i] = std::max(kLeastCost, 1 / (1 + sharp * sharp));
-  }
-  return cost;
 }
 
 }  // namespace falciform

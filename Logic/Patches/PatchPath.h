@@ -1,7 +1,6 @@
 #pragma once
 #include <vector>
 
-#include "Logic/Geometry/Curvature.h"
 #include "Logic/Geometry/TriangleTree.h"
 #include "Logic/Patches/BrushSurface.h"
 
@@ -29,13 +28,5 @@ struct SurfacePlace {
 /// Points within `halfWidth` mm of the path along the surface, ascending.
 [[nodiscard]] std::vector<int> pointsAlong(const BrushSurface& surface, const std::vector<SurfacePlace>& path,
                                            double halfWidth);
-
-/// What a path is drawn to.
-enum class PathSnap { None, Ridge, Groove };
-
-/// Cost of a step at each point for shortestPath(): 1 where the surface is flat or bent the other way, down
-/// to 0.05 where it is sharp; N values. The bending is the largest curvature outwards (ridge) or inwards
-/// (groove), 1/mm, and a radius of 20 mm halves the cost.
-[[nodiscard]] VectorXd snapCost(const Curvatures& curvatures, PathSnap snap);
 
 }  // namespace falciform

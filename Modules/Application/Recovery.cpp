@@ -27,19 +27,25 @@ Recovery::Recovery(Workbench& bench, QObject* parent, const QString& folder)
       root_(!folder.isEmpty()
                 ? folder
                 : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/recovery"),
-      session_(root_ + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces)) {
+      session_(root_ + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces)),
+      writer_(std::make_unique<LatestRunner>()) {
   timer_.setSingleShot(true);
   timer_.setInterval(kAfterMs);
   connect(&timer_, &QTimer::timeout, this, &Recovery::keep);
   caseChanged_ = bench_.document.changed.connect([this](Case::Part) {
     if (!timer_.isActive()) timer_.start();  // at most every kAfterMs, also under steady changes
   });
-  connect(&writer_, &LatestRunner::failed, this, [this](const QString& why) {
+  connect(writer_.get(), &LatestRunner::failed, this, [this](const QString& why) {
     bench_.log.warn(tr("Changes are not kept for a crash: %1").arg(why));
   });
 }
 
-Recovery::~Recovery() = default;
+// Whoever gets here has not crashed.
+Recovery::~Recovery() {
+  forget();
+  writer_.reset();  // waits
+  QDir(session_).removeRecursively();
+}
 
 void Recovery::keep() {
   if (!bench_.document.modified()) return forget();
@@ -66,7 +72,7 @@ void Recovery::keep() {
       if (there && !state.contains(key) && QFile::exists(home + file))
         state[key] = (home + file).toStdString();
   const nlohmann::json view = bench_.files.viewToSave ? bench_.files.viewToSave() : nlohmann::json();
-  writer_.submit(
+  writer_->submit(
       [copy, state, view, folder = std::filesystem::path(session_.toStdString())] {
         saveCase(*copy, folder / "case", Overwrite::Replace, view);
         writeJsonFile(folder / kStateFile, state,
@@ -78,11 +84,14 @@ void Recovery::keep() {
 
 void Recovery::forget() {
   timer_.stop();
-  writer_.drop();
+  writer_->drop();
   if (!lock_) return;
   lock_->unlock();
   lock_.reset();
-  QDir(session_).removeRecursively();
+  if (writer_->busy())  // after what is being written
+    writer_->submit([session = session_] { return QDir(session).removeRecursively(); }, [](bool) {});
+  else
+    QDir(session_).removeRecursively();
 }
 
 QList<Recovery::Found> Recovery::left() const {

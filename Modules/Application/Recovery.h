@@ -48,7 +48,7 @@ class Recovery : public QObject {
   QString root_, session_;
   std::unique_ptr<QLockFile> lock_;
   QTimer timer_;
-  LatestRunner writer_;
+  std::unique_ptr<LatestRunner> writer_;
   Connection caseChanged_;
 };
 

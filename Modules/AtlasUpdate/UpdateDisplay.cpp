@@ -30,7 +30,7 @@ std::shared_ptr<const Surface> onTheWay(const std::shared_ptr<const Surface>& fr
 }
 
 /// The targets of the case on their way, pre-op mm.
-Points targetsOnTheWay(const UpdatedCase& made, double share) {
+std::shared_ptr<const Points> targetsOnTheWay(const UpdatedCase& made, double share) {
   const Isometry3d preopFromScan = made.registration->scanFromPreop.inverse();
   Points places(0, 3);
   for (const UpdatedTarget& target : made.targets) {
@@ -38,7 +38,7 @@ Points targetsOnTheWay(const UpdatedCase& made, double share) {
     places.conservativeResize(places.rows() + 1, 3);
     places.bottomRows<1>() = ((1 - share) * target.before + share * (preopFromScan * target.now)).transpose();
   }
-  return places;
+  return std::make_shared<const Points>(std::move(places));
 }
 
 /// The same surface elsewhere; nullptr for another number of points.

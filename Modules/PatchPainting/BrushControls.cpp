@@ -69,12 +69,12 @@ BrushControls::BrushControls(PatchPaintingLogic& painting, QWidget* parent)
             tr("Paints the whole part that is clicked, up to where other paint begins (Alt+I)"), this);
   form->addRow(tr("Tool"), toolRow);
   auto* modeRow = new QHBoxLayout;
-  addButton(modes_, modeRow, kAdd, "brushAdd", tr("&Add"),
-            tr("Paints where nothing is painted; other patches are left alone (Alt+A)"), this);
+  addButton(modes_, modeRow, kAdd, "brushAdd", tr("A&dd"),
+            tr("Paints where nothing is painted; other patches are left alone (Alt+D)"), this);
   addButton(modes_, modeRow, kReplace, "brushReplace", tr("&Replace"),
             tr("Paints over other patches too, unless they are locked (Alt+R)"), this);
-  addButton(modes_, modeRow, kErase, "brushErase", tr("&Erase"),
-            tr("Removes any patch that is not locked (Alt+E; key 0 over the view)"), this);
+  addButton(modes_, modeRow, kErase, "brushErase", tr("Er&ase"),
+            tr("Removes any patch that is not locked (Alt+A; key 0 over the view)"), this);
   form->addRow(tr("Mode"), modeRow);
 
   radius_->setObjectName("brushRadius");
@@ -88,7 +88,7 @@ BrushControls::BrushControls(PatchPaintingLogic& painting, QWidget* parent)
   snap_->addItems({tr("nothing: the shortest way"), tr("the ridge"), tr("the groove")});
   snap_->setToolTip(tr(
       "What a line is drawn to between two clicks: the edge (sharp outwards) or the groove (sharp inwards).\n"
-      "The curvature is measured once, which takes a second or so"));
+      "How sharp the surface is is measured once, which takes a second or so"));
   form->addRow(tr("Snap to"), snap_);
   hint_->setObjectName("toolHint");
   hint_->setWordWrap(true);

@@ -46,12 +46,13 @@ std::map<int, std::string> patchesOf(const Case& document) {
 
 PatchList::PatchList(Workbench& bench, QWidget* parent) : QTableWidget(0, 6, parent), bench_(bench) {
   setObjectName("patchTable");
-  setHorizontalHeaderLabels({tr("Patch"), tr("Points"), tr("mm²"), tr("mm"), tr("Pieces"), tr("Lock")});
+  setHorizontalHeaderLabels({tr("Patch"), tr("Points"), tr("mm²"), tr("mm"), tr("Pcs"), tr("Lock")});
+  horizontalHeader()->setHighlightSections(false);
   const QStringList tips{tr("Tick to show; double click a name of your own to change it"),
                          tr("Points painted on the chosen surface"),
                          tr("Area on the chosen surface, mm²"),
                          tr("Length along its longest axis, mm"),
-                         tr("Separate pieces: more than one is often a slip of the brush"),
+                         tr("Connected pieces: more than one is often a slip of the brush"),
                          tr("Tick, and nothing changes this patch any more, on either surface")};
   for (int column = 0; column < columnCount(); ++column)
     horizontalHeaderItem(column)->setToolTip(tips[column]);

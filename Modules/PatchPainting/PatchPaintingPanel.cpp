@@ -10,11 +10,13 @@
 
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/SurfaceFiles.h"
+#include "Logic/Patches/CrestStrength.h"
 #include "Logic/Patches/PatchStatistics.h"
 #include "Logic/Patches/PatchTransfer.h"
 #include "Modules/PatchPainting/BrushControls.h"
 #include "Modules/PatchPainting/PatchList.h"
 #include "Modules/PatchPainting/PatchOperations.h"
+#include "Modules/PatchPainting/SuggestionBox.h"
 #include "Widgets/Forms/NumberBox.h"
 
 namespace falciform {
@@ -27,19 +29,24 @@ PatchPaintingPanel::PatchPaintingPanel(Workbench& workbench, QWidget* parent)
           parent),
       brush_(new BrushControls(workbench.painting, this)),
       list_(new PatchList(workbench, this)),
-      operations_(new PatchOperations(workbench, this)) {
+      operations_(new PatchOperations(workbench, this)),
+      suggestions_(new SuggestionBox(workbench, this)) {
   addTarget();
   addPatches();
+  addGroup(tr("Suggest"))->addWidget(suggestions_);
   addTools();
+  warnings_ = wrappedLabel("warnings", this);
+  column()->addWidget(warnings_);
   addGroup(tr("Whole patch"))->addWidget(operations_);
   addTransfer();
   brushChanged_ = bench().view.brushChanged.connect([this] { refresh(); });
   viewChanged_ = bench().view.changed.connect([this] { refresh(); });
   connect(brush_, &BrushControls::changed, this, [this] {
-    measureCurvatures();
+    measureCrests();
     bench().view.brushChanged.emit();
   });
   connect(operations_, &PatchOperations::changed, this, [this] { refresh(); });
+  connect(suggestions_, &SuggestionBox::accepted, this, [this](int label) { choosePatch(label); });
   start();
 }
 
@@ -60,8 +67,7 @@ void PatchPaintingPanel::addTarget() {
 }
 
 void PatchPaintingPanel::addPatches() {
-  auto* group = addGroup(tr("Patches"));
-  group->addWidget(list_);
+  column()->addWidget(list_);  // without a frame: names need the room
   newPatch_ = new QPushButton(tr("&New…"), this);
   newPatch_->setObjectName("newPatch");
   newPatch_->setToolTip(
@@ -74,9 +80,7 @@ void PatchPaintingPanel::addPatches() {
   clear_->setToolTip(tr("Remove the marked patch from the chosen surface; can be undone"));
   auto* row = new QHBoxLayout;
   for (QPushButton* button : {newPatch_, colour_, clear_}) row->addWidget(button);
-  group->addLayout(row);
-  warnings_ = wrappedLabel("warnings", this);
-  group->addWidget(warnings_);
+  column()->addLayout(row);
   connect(list_, &PatchList::picked, this, &PatchPaintingPanel::choosePatch);
   connect(list_, &PatchList::edited, this, [this] { refresh(); });
   connect(colour_, &QPushButton::clicked, list_, &PatchList::askColour);
@@ -158,7 +162,10 @@ std::shared_ptr<const Surface> PatchPaintingPanel::targetSurface() {
 void PatchPaintingPanel::enter() { applyArrangement(); }
 
 void PatchPaintingPanel::leave() {
-  bench().view.edit([](ViewOptions& options) { options.painting = false; });
+  bench().view.edit([](ViewOptions& options) {
+    options.painting = false;
+    options.suggestedLine.reset();
+  });
 }
 
 void PatchPaintingPanel::setTarget(PaintTarget target) {
@@ -205,6 +212,7 @@ void PatchPaintingPanel::refresh() {
   clear_->setEnabled(canPaint && !bench().painting.locked().count(chosen_));
   newPatch_->setEnabled(document().preop() || document().scan());
   operations_->refresh(chosen_);
+  suggestions_->refresh();
   transfer_->setEnabled(targetSurface() != nullptr && !bench().runner.busy());
   if (document().preop() && document().scan())
     showWarnings(warnings_, patchWarnings(*document().preop(), *document().scan()));
@@ -212,22 +220,20 @@ void PatchPaintingPanel::refresh() {
     showWarnings(warnings_, {});
 }
 
-void PatchPaintingPanel::measureCurvatures() {
+void PatchPaintingPanel::measureCrests() {
   PatchPaintingLogic& painting = bench().painting;
   const auto surface = targetSurface();
-  if (painting.tool != PaintTool::Line || painting.snap == PathSnap::None || painting.hasCurvatures() ||
-      !surface)
+  if (painting.tool != PaintTool::Line || painting.snap == PathSnap::None || painting.pathCost() || !surface)
     return;
   bench().runner.start(
-      tr("Measuring curvature"),
-      [surface](const Progress& progress) {
+      tr("Measuring how sharp the surface is"),
+      [surface, snap = painting.snap](const Progress& progress) {
         progress.report(0, "fitting the surface around each point");
-        CurvatureSettings settings;
-        settings.radiusMm = 5;  // mm: wider than the noise of a scan, narrower than a liver's edge
-        return std::make_shared<const Curvatures>(principalCurvatures(*surface, settings));
+        return std::make_shared<const VectorXd>(
+            crestCost(*surface, snap == PathSnap::Ridge ? CrestKind::Ridge : CrestKind::Valley));
       },
-      [this, surface](const std::shared_ptr<const Curvatures>& curvatures) {
-        bench().painting.setCurvatures(surface, curvatures);
+      [this, surface, snap = painting.snap](const std::shared_ptr<const VectorXd>& cost) {
+        bench().painting.setPathCost(surface, snap, cost);
       });
 }
 

@@ -8,6 +8,7 @@ namespace falciform {
 class BrushControls;
 class PatchList;
 class PatchOperations;
+class SuggestionBox;
 
 /// Which surface is painted, with which brush; undo; what is painted; patches taken over from another
 /// surface.
@@ -31,8 +32,8 @@ class PatchPaintingPanel : public ModulePanel {
   void addTransfer();
   void addPatches();
   void setTarget(PaintTarget target);
-  /// The line snaps to what the surface's curvature says; measured once a surface.
-  void measureCurvatures();
+  /// What a line snaps to is measured once for each surface and kind.
+  void measureCrests();
   void choosePatch(int label);
   void applyArrangement();
   [[nodiscard]] std::shared_ptr<const Surface> targetSurface();
@@ -43,6 +44,7 @@ class PatchPaintingPanel : public ModulePanel {
   int chosen_ = patch::kFalciform;  ///< the marked patch, also while erasing
   PatchList* list_;
   PatchOperations* operations_;
+  SuggestionBox* suggestions_;
   QLabel *missing_, *warnings_;
   double transferRadiusMm_ = 3;
   Connection viewChanged_, brushChanged_;

@@ -25,7 +25,10 @@ struct Desktop : WindowTest {
 };
 
 TEST_F(Desktop, F1ShowsEveryKeyOfTheMenusAndEscClosesIt) {
-  QTest::keyClick(window.get(), Qt::Key_F1);
+  // Without a window manager no window is active, and keys of menus go to active ones alone.
+  const QList<QKeySequence> keysOfTheSheet = window->findChild<QAction*>("shortcuts")->shortcuts();
+  EXPECT_TRUE(keysOfTheSheet.contains(QKeySequence("F1")) && keysOfTheSheet.contains(QKeySequence("?")));
+  trigger("shortcuts");
   handleEvents();
   auto* sheet = window->findChild<QDialog*>("shortcutSheet");
   ASSERT_TRUE(sheet && sheet->isVisible());
@@ -141,7 +144,7 @@ TEST_F(Desktop, TargetsAreDrawnAndHideWithTheirRow) {
       }
     return count;
   };
-  EXPECT_GT(pinkish(), 30);
+  EXPECT_GT(pinkish(), 15) << "pixels of a dot 12 wide, under liver of 20 %";
   PartLook hidden = bench->view.look(part::kTargets);
   hidden.visible = false;
   bench->view.setLook(part::kTargets, hidden);

@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 
+#include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Modules/PatchPainting/PatchPaintingPanel.h"
 #include "Testing/Modules/PanelFixture.h"
@@ -77,19 +78,19 @@ TEST_F(PatchPaintingPanelTest, ToolsSayHowTheyWorkAndShowWhatTheyNeed) {
 TEST_F(PatchPaintingPanelTest, SnappingMeasuresTheSurfaceOnceAndItsCostsAreTheLines) {
   openPreopAndScan();
   click(panel, "toolLine");
-  EXPECT_FALSE(bench.painting.hasCurvatures());
+  EXPECT_FALSE(bench.painting.pathCost());
   auto& snap = child<QComboBox>(panel, "pathSnap");
   snap.setCurrentIndex(1);
   Q_EMIT snap.activated(1);
-  EXPECT_TRUE(bench.painting.hasCurvatures()) << errors.join(" ").toStdString();
-  const VectorXd cost = bench.painting.pathCost();
+  ASSERT_TRUE(bench.painting.pathCost()) << errors.join(" ").toStdString();
+  const VectorXd cost = *bench.painting.pathCost();
   EXPECT_EQ(cost.size(), bench.document.preop()->size());
   EXPECT_LT(cost.minCoeff(), 0.9);
   (void)paintOnce();
-  EXPECT_TRUE(bench.painting.hasCurvatures()) << "painting does not change the shape";
+  EXPECT_TRUE(bench.painting.pathCost()) << "painting does not change the shape";
   snap.setCurrentIndex(0);
   Q_EMIT snap.activated(0);
-  EXPECT_EQ(bench.painting.pathCost().size(), 0);
+  EXPECT_FALSE(bench.painting.pathCost());
 }
 
 TEST_F(PatchPaintingPanelTest, EyeLockAndNameOfAPatchAreInItsRow) {
@@ -124,6 +125,32 @@ TEST_F(PatchPaintingPanelTest, OperationsOnAWholePatchAreOneStepEach) {
   }
   for (const char* operation : {"fillHoles", "largestPiece"}) click(panel, operation);
   EXPECT_TRUE(errors.isEmpty());
+}
+
+TEST_F(PatchPaintingPanelTest, ASuggestionIsShownAcceptedAndTakenBackInOneStep) {
+  EXPECT_FALSE(isEnabled(panel, "suggest"));
+  SyntheticLiverSettings shape;
+  shape.edgeLengthMm = 4;
+  Surface liver = makeSyntheticLiver(shape).surface;
+  const std::vector<int> truth = liver.patch;
+  liver.patch.clear();
+  bench.document.setPreop(std::make_shared<const Surface>(liver));
+  click(panel, "suggest");
+  auto& list = child<QComboBox>(panel, "suggestions");
+  ASSERT_GT(list.count(), 0) << errors.join(" ").toStdString();
+  ASSERT_TRUE(bench.view.options().suggestedLine) << "drawn before it is accepted";
+  EXPECT_TRUE(patchLabels(*bench.document.preop()).empty());
+  const int label = bench.view.options().suggestedLabel;
+  click(panel, "acceptSuggestion");
+  const std::vector<int> taken = pointsOfPatch(*bench.document.preop(), label);
+  EXPECT_GT(taken.size(), 20u);
+  int right = 0;
+  for (const int id : taken) right += truth[static_cast<std::size_t>(id)] == label ? 1 : 0;
+  EXPECT_GT(right, 0.2 * static_cast<double>(taken.size())) << "it lies on the feature";
+  click(panel, "undo");
+  EXPECT_TRUE(patchLabels(*bench.document.preop()).empty());
+  panel.leave();
+  EXPECT_FALSE(bench.view.options().suggestedLine);
 }
 
 TEST_F(PatchPaintingPanelTest, NamingAPatchKeepsTheUndo) {

@@ -20,6 +20,12 @@ namespace {
 constexpr double kSmallestBrushMm = 0.5, kLargestBrushMm = 60;
 const Vector3d kEraserColour{0.95, 0.95, 0.95};
 
+const VectorXd& costOf(const PatchPaintingLogic& logic) {
+  static const VectorXd none;
+  const auto cost = logic.pathCost();
+  return cost ? *cost : none;  // the logic holds it
+}
+
 }  // namespace
 
 vtkStandardNewMacro(PaintInteractor);
@@ -104,7 +110,7 @@ void PaintInteractor::showCursor() {
   const auto place = placeAt(at[0], at[1]);
   if (place && logic_->tool == PaintTool::Line && !path_->empty() && logic_->surface() != nullptr)
     path_->hover(*logic_->surface(), tree(), {place->hit.triangle, place->hit.vertex, place->hit.point},
-                 logic_->pathCost());
+                 costOf(*logic_));
   path_->draw(presenter_->sceneFromSurface(), colourOf(logic_->label));
   const bool hasRing = logic_->tool == PaintTool::Brush || logic_->tool == PaintTool::Line;
   if (!place || !hasRing) {
@@ -201,7 +207,7 @@ void PaintInteractor::clickPath() {
   const BrushSurface* surface = logic_->surface();
   if (!place || surface == nullptr) return;
   if (!path_->click(*surface, tree(), {place->hit.triangle, place->hit.vertex, place->hit.point},
-                    logic_->pathCost()) &&
+                    costOf(*logic_)) &&
       onWarn)
     onWarn("No way leads there: it is another piece of the surface.");
 }

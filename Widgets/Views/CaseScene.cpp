@@ -71,6 +71,7 @@ CaseScene::CaseScene(const Case& document, const ViewState& view, int textPx)
       preopLandmarks_(scene_.add<SurfacePresenter>()),
       scanLandmarks_(scene_.add<SurfacePresenter>()),
       targets_(scene_.add<SurfacePresenter>()),
+      suggestion_(scene_.add<BrushCursorPresenter>()),
       bar_(scene_.add<ColourBarPresenter>(textPx, scene_.style().text)),
       legend_(scene_.add<LegendPresenter>(textPx, scene_.style().text)),
       title_(scene_.add<TextPresenter>(TextPlace::TopCentre, textPx, scene_.style().text)),
@@ -158,6 +159,7 @@ bool CaseScene::follow() {
   draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
   followStructures(now);
   followLandmarks(now);
+  followSuggestion(now);
   followTexts(now);
   scene_.orientation().setVisible(!scanAlone() || case_.registration() != nullptr);
   scene_.orientation().setSceneFromLps(sceneFromLps());
@@ -250,6 +252,14 @@ void CaseScene::followLandmarks(const Wanted& now) {
   // Where supports push them nobody has said.
   draw(targets_, targets, part::kTargets, preop_.surface() != nullptr && (!now.deformed || now.update));
   targets_.setSceneFromSurface(preop_.sceneFromSurface());
+}
+
+void CaseScene::followSuggestion(const Wanted& now) {
+  const ViewOptions& options = view_.options();
+  if (!options.suggestedLine || !now.preop || now.deformed) return suggestion_.hide();
+  const auto& colour = view_.patchLook(options.suggestedLabel).colour;
+  suggestion_.show(transformed(*options.suggestedLine, now.sceneFromPreop), Points(0, 3),
+                   {colour[0], colour[1], colour[2]});
 }
 
 void CaseScene::followTexts(const Wanted& now) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "Logic/Core/Case.h"
+#include "Widgets/Rendering/BrushCursorPresenter.h"
 #include "Widgets/Rendering/CameraViews.h"
 #include "Widgets/Rendering/ColourBarPresenter.h"
 #include "Widgets/Rendering/LegendPresenter.h"
@@ -63,6 +64,7 @@ class CaseScene {
   void followLandmarks(const Wanted& wanted);
   /// Patches as the user wants them; `light`: of two on each other this one.
   void dressPatches(SurfaceStyle& style, bool light) const;
+  void followSuggestion(const Wanted& wanted);
   void followTexts(const Wanted& wanted);
 
   const Case& case_;
@@ -70,6 +72,7 @@ class CaseScene {
   int textPx_;
   Scene scene_;
   SurfacePresenter &preop_, &scan_, &preopLandmarks_, &scanLandmarks_, &targets_;
+  BrushCursorPresenter& suggestion_;
   ColourBarPresenter& bar_;
   LegendPresenter& legend_;
   TextPresenter &title_, &corner_;  ///< the second where two views beside each other leave little room

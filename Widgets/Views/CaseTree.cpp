@@ -35,7 +35,7 @@ CaseTree::CaseTree(Case& document, ViewState& view, QWidget* parent)
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(kName, QHeaderView::Stretch);
   header()->setSectionResizeMode(kColour, QHeaderView::Fixed);
-  header()->resizeSection(kColour, 40);
+  header()->resizeSection(kColour, 34);
   header()->setSectionResizeMode(kOpacity, QHeaderView::ResizeToContents);
   setRootIsDecorated(false);
   setSelectionMode(QAbstractItemView::NoSelection);

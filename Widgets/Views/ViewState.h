@@ -64,7 +64,9 @@ struct ViewOptions {
   bool galleryShown = false;            ///< one, if this says so
   int enlargedCase = -1;                ///< only this one of them; -1: all
   bool painting = false;                ///< left drag paints
-  bool supportsShown = false;           ///< painted supports on the liver in place of its patches
+  std::shared_ptr<const Points> suggestedLine;  ///< on the liver, pre-op mm: where a patch may belong,
+  int suggestedLabel = 0;                       ///< and which
+  bool supportsShown = false;                   ///< painted supports on the liver in place of its patches
   /// The pre-operative surface as supports move it, with "displacement_mm", or as a model update does; not
   /// stored. Painting shows the liver at rest.
   std::shared_ptr<const Surface> liveDeformed;
@@ -74,9 +76,9 @@ struct ViewOptions {
   bool updateShown = false;                ///< what moves it is a model update: the scan is shown with it,
   std::optional<ScalarMap> updateColours;  ///< these are its colours, where it has their array,
   std::map<std::string, std::shared_ptr<const Surface>>
-      movedStructures;                 ///< these its structures, pre-op mm,
-  std::optional<Points> movedTargets;  ///< these its targets, pre-op mm, in the order of the case's,
-  bool structuresBefore = false;       ///< and where they were is drawn as well
+      movedStructures;                         ///< these its structures, pre-op mm,
+  std::shared_ptr<const Points> movedTargets;  ///< these its targets, pre-op mm, in the order of the case's,
+  bool structuresBefore = false;               ///< and where they were is drawn as well
   std::shared_ptr<const Surface>
       comparedLiver;            ///< beside it in a second view: the liver as only registered,
   std::string comparedCaption;  ///< and what that is

@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "Logic/Patches/CrestStrength.h"
 #include "Testing/Support/SmallSurfaces.h"
 
 namespace falciform {
@@ -126,13 +127,10 @@ TEST(PatchPath, SnappedToARidgeItRunsAlongTheEdgeOfAWedge) {
   // A roof with its ridge along y at x = 20, and a straight way beside it.
   Surface roof = test::grid(40, 40);
   for (Index i = 0; i < roof.size(); ++i) roof.points(i, 2) = 6 - std::hypot(2.0, roof.points(i, 0) - 20);
-  CurvatureSettings fit;
-  fit.radiusMm = 3;
   const Vector3d from(14, 4, 0), to(14, 36, 0);
-  const Curvatures curvatures = principalCurvatures(roof, fit);
   const auto straight = pathOn(roof, from, to);
-  const auto snapped = pathOn(roof, from, to, snapCost(curvatures, PathSnap::Ridge));
-  const auto groove = pathOn(roof, from, to, snapCost(curvatures, PathSnap::Groove));
+  const auto snapped = pathOn(roof, from, to, crestCost(roof, CrestKind::Ridge, 3));
+  const auto groove = pathOn(roof, from, to, crestCost(roof, CrestKind::Valley, 3));
   const auto middle = [](const auto& path) { return path[path.size() / 2].point.x(); };
   EXPECT_LT(middle(straight), 15.5);
   EXPECT_NEAR(middle(snapped), 20, 1.1) << "on the ridge, to a vertex";
