@@ -117,6 +117,7 @@ TEST_F(PatchPaintingPanelTest, EyeLockAndNameOfAPatchAreInItsRow) {
 TEST_F(PatchPaintingPanelTest, OperationsOnAWholePatchAreOneStepEach) {
   openPreopAndScan();
   const auto before = bench.document.preop()->patch;
+  child<QDoubleSpinBox>(panel, "patchStep").setValue(12);  // mm: more than the coarse body's edges
   for (const char* operation : {"growPatch", "shrinkPatch", "smoothPatch"}) {
     click(panel, operation);
     EXPECT_NE(bench.document.preop()->patch, before) << operation;
