@@ -7,6 +7,7 @@
 #include <QRadioButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "Logic/Core/Errors.h"
 #include "Logic/IO/SurfaceFiles.h"
@@ -159,9 +160,17 @@ std::shared_ptr<const Surface> PatchPaintingPanel::targetSurface() {
   return bench().painting.target == PaintTarget::Preop ? document().preop() : document().scan();
 }
 
-void PatchPaintingPanel::enter() { applyArrangement(); }
+void PatchPaintingPanel::enter() {
+  bench().painting.tool = tool_;
+  bench().painting.replaces = replaces_;
+  applyArrangement();
+  refresh();
+}
 
+// Other steps paint with the brush alone.
 void PatchPaintingPanel::leave() {
+  tool_ = std::exchange(bench().painting.tool, PaintTool::Brush);
+  replaces_ = bench().painting.replaces;
   bench().view.edit([](ViewOptions& options) {
     options.painting = false;
     options.suggestedLine.reset();

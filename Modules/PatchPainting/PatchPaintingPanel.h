@@ -46,6 +46,8 @@ class PatchPaintingPanel : public ModulePanel {
   PatchOperations* operations_;
   SuggestionBox* suggestions_;
   QLabel *missing_, *warnings_;
+  PaintTool tool_ = PaintTool::Brush;  ///< of this step, while another one is on screen
+  bool replaces_ = false;
   double transferRadiusMm_ = 3;
   Connection viewChanged_, brushChanged_;
 };

@@ -59,6 +59,8 @@ ScanBrush::ScanBrush(Workbench& workbench, QWidget* parent)
 void ScanBrush::choose(int label, bool on) {
   bench_.painting.target = PaintTarget::Scan;
   bench_.painting.label = label;
+  bench_.painting.tool = PaintTool::Brush;
+  bench_.painting.replaces = true;  // over whatever is marked
   bench_.view.edit([&](ViewOptions& options) { options.painting = on; });
   refresh(true);
 }
