@@ -34,7 +34,7 @@ NextStep nextStep(const Case& document) {
     if (patchLabels(*document.scan()).empty())
       return {tr("paint the same patches on the scan"), paint, PaintTarget::Scan};
     if (const QString bare = barePatch(*document.preop()); !bare.isEmpty() && !document.registration())
-      return {tr("paint the %1 on the liver too, or register").arg(bare), paint, PaintTarget::Preop};
+      return {tr("paint the %1 too, or register").arg(bare), paint, PaintTarget::Preop};
     return {document.registration() ? tr("register again: something has changed") : tr("register the scan"),
             registration,
             {}};

@@ -24,6 +24,11 @@ void addButton(QButtonGroup* group, QHBoxLayout* row, int id, const char* name, 
   button->setCheckable(true);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   button->setFocusPolicy(Qt::StrongFocus);
+  // Pressed is hard to tell in the dark theme.
+  button->setStyleSheet(
+      "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); border: 1px "
+      "solid "
+      "palette(shadow); border-radius: 2px; padding: 3px; }");
   group->addButton(button, id);
   row->addWidget(button);
 }
