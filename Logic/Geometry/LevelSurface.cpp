@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 
 #include "Logic/Geometry/GridField.h"
@@ -68,6 +69,7 @@ void Marcher::march(int x, int y, int z) {
   int inside = 0;
   for (int bits = 0; bits < 8; ++bits) {
     cube[static_cast<std::size_t>(bits)] = corner(x, y, z, bits);
+    if (std::isnan(cube[static_cast<std::size_t>(bits)].value)) return;
     inside += cube[static_cast<std::size_t>(bits)].value < 0;
   }
   if (inside == 0 || inside == 8) return;

@@ -18,6 +18,7 @@ struct Command {
 [[nodiscard]] Command segmentCommand();
 [[nodiscard]] Command importCommand();
 [[nodiscard]] Command scanCommand();
+[[nodiscard]] Command smoothCommand();
 [[nodiscard]] Command patchesCommand();
 [[nodiscard]] Command registerCommand();
 [[nodiscard]] Command distanceCommand();
