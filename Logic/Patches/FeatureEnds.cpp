@@ -18,10 +18,11 @@ constexpr double kLeastVariance = 1e-3;
 
 }  // namespace
 
-VectorXd endNumbers(const Eigen::MatrixXd& places, double sizeMm, const LineEnds& ends) {
+VectorXd endNumbers(const TracedLine& line, const Eigen::MatrixXd& places, double sizeMm,
+                    const LineEnds& ends) {
   VectorXd numbers(2 * places.cols() + 1);
   numbers << places.row(ends.first).transpose(), places.row(ends.last).transpose(),
-      static_cast<double>(ends.last - ends.first) / sizeMm;
+      (line.points.row(ends.last) - line.points.row(ends.first)).norm() / sizeMm;
   return numbers;
 }
 
@@ -53,7 +54,7 @@ LineEnds likelyEnds(const TracedLine& line, const Eigen::MatrixXd& places, doubl
   std::vector<double> odds;
   for (Index i = 0; i < n; i += kStepMm)
     for (Index j = i + static_cast<Index>(model.shortestMm); j < n; j += kStepMm) {
-      const VectorXd off = endNumbers(places, sizeMm, {i, j}) - model.mean;
+      const VectorXd off = endNumbers(line, places, sizeMm, {i, j}) - model.mean;
       pairs.push_back({i, j});
       odds.push_back(model.evidence * (sum[j] - sum[i]) / kEvidenceMm - 0.5 * off.dot(model.precision * off));
     }

@@ -15,18 +15,19 @@ struct LineEnds {
 struct EndsModel {
   VectorXd mean;
   Eigen::MatrixXd precision;  ///< inverse covariance
-  double evidence = 0.25;     ///< log-odds are counted in so many units a 50 mm of line
+  double evidence = 0.1;      ///< log-odds are counted in so many units a 50 mm of line
   double shortestMm = 20;
 };
 
-/// The numbers of a pair of ends: those of `places` (a row a point of the line) at both, and the length over
-/// the liver's size.
-[[nodiscard]] VectorXd endNumbers(const Eigen::MatrixXd& places, double sizeMm, const LineEnds& ends);
+/// The numbers of a pair of ends: those of `places` (a row a point of the line) at both, and how far apart
+/// they are, as the crow flies, over the liver's size: what a line does at a notch on its way does not count.
+[[nodiscard]] VectorXd endNumbers(const TracedLine& line, const Eigen::MatrixXd& places, double sizeMm,
+                                  const LineEnds& ends);
 
 /// Mean and covariance of rows of numbers, each counted by its weight; covariances are drawn to 0 by `share`,
 /// since there are few livers.
 [[nodiscard]] EndsModel fitEnds(const std::vector<VectorXd>& numbers, const std::vector<double>& weights,
-                                double share = 0.3);
+                                double share = 0.1);
 
 /// The ends that are best on average over what is likely: the largest expected smaller of recall and
 /// precision. The whole line if it is too short to choose.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
@@ -88,9 +89,21 @@ VectorXd gatheredAreas(const Points& points, const VectorXd& areas, const KdTree
 
 }  // namespace
 
-AnatomicalAxes lpsAxes() {
+AnatomicalAxes lpsAxes() { return axesFromLetters("LPS"); }
+
+AnatomicalAxes axesFromLetters(const std::string& letters) {
+  constexpr std::string_view towards = "RAS", away = "LPI";
   AnatomicalAxes axes;
-  axes.rows = Vector3d(-1, -1, 1).asDiagonal();
+  axes.rows.setZero();
+  for (std::size_t i = 0; i < letters.size() && i < 3; ++i) {
+    const std::size_t plus = towards.find(letters[i]), minus = away.find(letters[i]);
+    const std::size_t row = std::min(plus, minus);
+    if (row < 3) axes.rows(static_cast<Index>(row), static_cast<Index>(i)) = plus < 3 ? 1 : -1;
+  }
+  if (letters.size() != 3 || std::abs(axes.rows.determinant()) < 0.5)
+    throw InputError("the axes are '" + letters +
+                     "'; say where x, y and z run by three letters, one of each of R/L, " +
+                     "A/P and S/I, as in LPS or RAS");
   return axes;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "Logic/Core/Progress.h"
@@ -13,6 +14,9 @@ struct AnatomicalAxes {
 };
 /// Of the world frame LPS: right is -x, front is -y, head is +z.
 [[nodiscard]] AnatomicalAxes lpsAxes();
+/// Of a frame whose x, y and z run towards these sides of the patient: "LPS", "RAS", "SAR", ... Throws
+/// InputError unless the letters name each of R/L, A/P and S/I once.
+[[nodiscard]] AnatomicalAxes axesFromLetters(const std::string& letters);
 
 /// A liver's surface made ready for the search of its features: fine enough, with numbers for each vertex
 /// that tell what a place looks like and where on the liver it lies, whatever the liver's size.

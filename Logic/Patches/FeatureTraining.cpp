@@ -12,11 +12,11 @@ namespace {
 /// Vertices near a mark are examples, those well away from it counter-examples, those between neither.
 struct Rule {
   double nearMm = 4, farMm = 9;
-  int everyNth = 15;  ///< of the counter-examples, which are many
+  int everyNth = 7;  ///< of the counter-examples, which are many
   double penalty = 50;
   double onMarkMm = 6;  ///< a point of a line so near a mark lies on it
 };
-constexpr Rule kRidge{}, kGroove{6, 15, 15, 50, 10};
+constexpr Rule kRidge{}, kGroove{6, 15, 7, 50, 10};
 
 struct Examples {
   std::vector<Eigen::MatrixXd> numbers;
@@ -70,8 +70,9 @@ LineEnds endsOnMark(const TracedLine& line, const Points& mark, double onMarkMm)
 struct EndExamples {
   std::vector<VectorXd> numbers;
   std::vector<double> weights;
-  void add(const Eigen::MatrixXd& places, double sizeMm, const LineEnds& ends, double weight) {
-    numbers.push_back(endNumbers(places, sizeMm, ends));
+  void add(const TracedLine& line, const Eigen::MatrixXd& places, double sizeMm, const LineEnds& ends,
+           double weight) {
+    numbers.push_back(endNumbers(line, places, sizeMm, ends));
     weights.push_back(weight);
   }
 };
@@ -96,7 +97,7 @@ FeatureModel trainFeatureModel(const std::vector<const MarkedLiver*>& livers, co
   for (const MarkedLiver* liver : livers) {
     const FeatureGround& ground = liver->ground;
     const TracedLine& margin = margins.emplace_back(traceMargin(ground, model));
-    ridgeExamples.add(margin.standard.leftCols(1), ground.sizeMm,
+    ridgeExamples.add(margin, margin.standard.leftCols(1), ground.sizeMm,
                       endsOnMark(margin, liver->ridge, kRidge.onMarkMm), liver->weight);
     gather(grooveDescriptors(ground, margin), ground, liver->groove, std::sqrt(liver->weight), kGroove,
            groove);
@@ -108,7 +109,7 @@ FeatureModel trainFeatureModel(const std::vector<const MarkedLiver*>& livers, co
     const FeatureGround& ground = livers[i]->ground;
     const TracedLine line =
         traceGroove(ground, model.groove.scorer.logOdds(grooveDescriptors(ground, margins[i])));
-    grooveExamples.add(groovePlaces(ground, line, margins[i]), ground.sizeMm,
+    grooveExamples.add(line, groovePlaces(ground, line, margins[i]), ground.sizeMm,
                        endsOnMark(line, livers[i]->groove, kGroove.onMarkMm), livers[i]->weight);
   }
   model.groove.ends = fitEnds(grooveExamples.numbers, grooveExamples.weights);

@@ -4,10 +4,11 @@ namespace falciform::commandline {
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> all{
-      segmentCommand(),   importCommand(),     scanCommand(),      smoothCommand(),    patchesCommand(),
-      registerCommand(),  distanceCommand(),   normaliseCommand(), cohortCommand(),    runCommand(),
-      demoCommand(),      synthesiseCommand(), trialsCommand(),    meshCommand(),      atlasBuildCommand(),
-      atlasInfoCommand(), updateCommand(),     locateCommand(),    fiducialsCommand(), infoCommand()};
+      segmentCommand(),    importCommand(),    scanCommand(),       smoothCommand(),    suggestCommand(),
+      patchesCommand(),    registerCommand(),  distanceCommand(),   normaliseCommand(), cohortCommand(),
+      runCommand(),        demoCommand(),      synthesiseCommand(), trialsCommand(),    meshCommand(),
+      atlasBuildCommand(), atlasInfoCommand(), updateCommand(),     locateCommand(),    fiducialsCommand(),
+      infoCommand()};
   return all;
 }
 

@@ -20,6 +20,7 @@ struct Command {
 [[nodiscard]] Command scanCommand();
 [[nodiscard]] Command smoothCommand();
 [[nodiscard]] Command patchesCommand();
+[[nodiscard]] Command suggestCommand();
 [[nodiscard]] Command registerCommand();
 [[nodiscard]] Command distanceCommand();
 [[nodiscard]] Command normaliseCommand();

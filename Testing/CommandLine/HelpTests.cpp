@@ -26,9 +26,10 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::vector<std::string> kCommands{
-    "segment",    "import", "patches", "register",    "distance",   "normalise", "cohort",    "run", "demo",
-    "synthesise", "trials", "mesh",    "atlas build", "atlas info", "locate",    "fiducials", "info"};
+const std::vector<std::string> kCommands{"segment",    "import",    "suggest", "patches",     "register",
+                                         "distance",   "normalise", "cohort",  "run",         "demo",
+                                         "synthesise", "trials",    "mesh",    "atlas build", "atlas info",
+                                         "locate",     "fiducials", "info"};
 
 /// A call of a command of one word or two.
 std::vector<std::string> call(const std::string& command, const std::string& flag) {
