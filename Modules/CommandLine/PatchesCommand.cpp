@@ -2,6 +2,7 @@
 #include "Logic/Patches/PatchTransfer.h"
 #include "Modules/CommandLine/Commands.h"
 #include "Modules/CommandLine/Figures.h"
+#include "Modules/CommandLine/PatchDelineation.h"
 #include "Modules/CommandLine/PatchSettings.h"
 
 namespace falciform::commandline {
@@ -35,6 +36,7 @@ void declare(Syntax& syntax) {
               .positional = true,
               .group = group});
   syntax.addSettings(PatchTransferSettings{}, "Transfer");
+  declareDelineation(syntax);
 }
 
 void tell(const falciform::Surface& surface, CommandRun& run) {
@@ -77,9 +79,29 @@ void transfer(const ParsedArguments& arguments, CommandRun& run) {
   run.writeSidecar(sidecarOf(out));
 }
 
+/// Paints --to from the stylus's way or by its own colours.
+void delineate(const ParsedArguments& arguments, CommandRun& run) {
+  for (const char* needed : {"to", "out"})
+    if (!arguments.has(needed))
+      throw InputError(std::string("--") + needed +
+                       " is missing; --swab and --refine-by-colour paint --to and write --out");
+  if (arguments.has("from"))
+    throw InputError("--from is given with --swab or --refine-by-colour; give one or the other");
+  const std::filesystem::path out = arguments.path("out");
+  run.outputs.announce(out);
+  run.outputs.announce(sidecarOf(out));
+  falciform::Surface surface = run.surface(arguments.path("to"));
+  surface.patch = delineated(surface, arguments, run);
+  run.frames = {{out.filename().string(), surface.frame}};
+  tell(surface, run);
+  writeSurface(run.outputs.staged(out), surface, Overwrite::Replace);
+  run.writeSidecar(sidecarOf(out));
+}
+
 void execute(const ParsedArguments& arguments, CommandRun& run) {
+  if (delineationAsked(arguments) && !arguments.has("SURFACE")) return delineate(arguments, run);
   if (!arguments.has("SURFACE")) return transfer(arguments, run);
-  for (const char* other : {"from", "to", "out"})
+  for (const char* other : {"from", "to", "out", "swab", "refine-by-colour"})
     if (arguments.has(other))
       throw InputError(std::string("--") + other + " is given with SURFACE; give one or the other");
   tell(run.surface(arguments.path("SURFACE")), run);
@@ -89,8 +111,10 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
 
 Command patchesCommand() {
   return {"patches", "Patches",
-          "Tells what is painted on a surface, or carries patches from one surface to another.", declare,
-          execute};
+          "Tells what is painted on a surface, carries patches from one surface to another, or paints them "
+          "by the "
+          "stylus or the colours.",
+          declare, execute};
 }
 
 }  // namespace falciform::commandline

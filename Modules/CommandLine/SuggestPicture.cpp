@@ -20,13 +20,13 @@ RenderedImage suggestPicture(const Surface& painted, const AnatomicalAxes& axes)
   const auto surface = std::make_shared<const Surface>(painted);
   std::vector<RenderedImage> tiles;
   for (const Side& side : sides) {
-    const std::unique_ptr<Scene> scene = titledScene(side.title, TextPlace::BottomLeft);
+    const std::unique_ptr<Scene> scene = titledScene(side.title, TextPlace::TopCentre);
     scene->add<SurfacePresenter>().show(surface);
     std::vector<LegendEntry> legend;
     for (const int label : patchLabels(painted))
       legend.push_back({patchColour(label), patchName(painted, label)});
     scene->add<LegendPresenter>(scene->style().textPx, scene->style().text).show(legend);
-    tiles.push_back(drawnTile(*scene, painted.points, {side.from, side.up}, {0.05, 0.05, 0.06, 0.14}));
+    tiles.push_back(drawnTile(*scene, painted.points, {side.from, side.up}, {0.05, 0.05, 0.06, 0.2}));
   }
   return sheetOf(tiles, 2);
 }
