@@ -57,12 +57,12 @@ VectorXd crestOfGround(const FeatureGround& ground, bool valley) {
 }
 
 TracedLine traceMargin(const FeatureGround& ground, const FeatureModel& model) {
-  return traceLine(ground, model.ridge.scorer.logOdds(ground.descriptors), crestOfGround(ground, false), {},
-                   0, false);
+  return traceLine(ground, model.ridge.logOdds(ground.descriptors), crestOfGround(ground, false), {}, 0,
+                   false);
 }
 
 LineEnds ridgeEnds(const FeatureGround& ground, const TracedLine& margin, const FeatureModel& model) {
-  return likelyEnds(margin, margin.standard.leftCols(1), ground.sizeMm, model.ridge.ends);
+  return likelyEnds(margin, margin.standard.leftCols(1), ground.sizeMm, model.ridgeEnds);
 }
 
 Eigen::MatrixXd grooveDescriptors(const FeatureGround& ground, const TracedLine& margin) {
@@ -86,32 +86,6 @@ Eigen::MatrixXd grooveDescriptors(const FeatureGround& ground, const TracedLine&
   }
   numbers.rightCols(7) /= ground.sizeMm;
   return numbers;
-}
-
-TracedLine traceGroove(const FeatureGround& ground, const VectorXd& logOdds) {
-  TracingPlan plan;
-  plan.costFloor = 0.3;
-  plan.costOfDoubt = 0.3;
-  plan.costShift = 1;
-  plan.costOffCrest = 0;
-  plan.gainShift = 2;
-  plan.leastGain = -2;
-  plan.mostGain = 1;
-  plan.smoothingMm = 4;
-  return traceLine(ground, logOdds, VectorXd::Zero(logOdds.size()), plan, 2, true);
-}
-
-LineEnds grooveEnds(const FeatureGround& ground, const TracedLine& line, const TracedLine& margin,
-                    const FeatureModel& model) {
-  return likelyEnds(line, groovePlaces(ground, line, margin), ground.sizeMm, model.groove.ends);
-}
-
-Eigen::MatrixXd groovePlaces(const FeatureGround& ground, const TracedLine& line, const TracedLine& margin) {
-  const KdTree tree(margin.points);
-  Eigen::MatrixXd places(line.points.rows(), 1);
-  for (Index i = 0; i < line.points.rows(); ++i)
-    places(i, 0) = std::sqrt(tree.nearest(line.points.row(i)).squaredDistance) / ground.sizeMm;
-  return places;
 }
 
 }  // namespace falciform

@@ -8,15 +8,12 @@
 
 namespace falciform {
 
-/// What is known of one feature: how its places look, and where it begins and ends.
-struct LineModel {
-  QuadraticScorer scorer;
-  EndsModel ends;
-};
-
-/// What livers that people have marked tell of the inferior ridge and of the falciform groove.
+/// What livers that people have marked tell of the inferior ridge and of the falciform groove: how their
+/// places look, and where the ridge begins and ends.
 struct FeatureModel {
-  LineModel ridge, groove;
+  QuadraticScorer ridge;
+  EndsModel ridgeEnds;
+  QuadraticScorer groove;
 };
 
 /// The model that comes with the program, from the 19 marked livers of Docs/Features.md.
@@ -29,7 +26,7 @@ struct MarkedLiver {
   double weight = 1;  ///< less than 1 for a patient who is there more than once
 };
 
-/// Fits both lines' models; the groove's sees the ridge's lines, as it will when it is used. At least two
+/// Fits the model; the groove's part sees the ridge's lines, as it will when it is used. At least two
 /// livers with both marks, else InputError.
 [[nodiscard]] FeatureModel trainFeatureModel(const std::vector<const MarkedLiver*>& livers,
                                              const Progress& progress = {});
@@ -42,15 +39,6 @@ struct MarkedLiver {
 
 /// Descriptors of each vertex for the groove: those of the ground and 7 of the way to the margin.
 [[nodiscard]] Eigen::MatrixXd grooveDescriptors(const FeatureGround& ground, const TracedLine& margin);
-/// The groove from its foot to its top, before its ends are chosen; `logOdds` of the groove's scorer.
-[[nodiscard]] TracedLine traceGroove(const FeatureGround& ground, const VectorXd& logOdds);
-/// What tells of a place of the groove as its end: its distance to the margin over the liver's size. A row a
-/// point.
-[[nodiscard]] Eigen::MatrixXd groovePlaces(const FeatureGround& ground, const TracedLine& line,
-                                           const TracedLine& margin);
-[[nodiscard]] LineEnds grooveEnds(const FeatureGround& ground, const TracedLine& line,
-                                  const TracedLine& margin, const FeatureModel& model);
-
 /// In [0, 1] a vertex: how much it is the top of a ridge (or the bottom of a valley), both sharp and
 /// outermost.
 [[nodiscard]] VectorXd crestOfGround(const FeatureGround& ground, bool valley);

@@ -9,7 +9,7 @@ namespace falciform {
 namespace {
 
 // clang-format off
-constexpr std::array<double, 406> kRidgeWeights{
+constexpr std::array<double, 406> kRidge{
     -10.00668, 0.2768733, 0.09355727, -0.321104, -0.1833015, -0.1708228, 0.1551927, 0.7032203, -0.1652708, -0.244211,
     -0.3437049, -0.7479036, 2.14101, 2.236087, 0.8332792, -0.5164433, -1.029701, -0.6570266, -1.334142, 1.403705, -1.798789,
     0.5899643, 1.245185, 0.6898616, 4.404429, -2.708668, -0.2240027, 0.7977094, -0.8619996, 0.0920102, 1.053899, 0.3534405,
@@ -49,13 +49,13 @@ constexpr std::array<double, 406> kRidgeWeights{
     1.761331, 3.050443, -18.93793, -16.12454, 3.4288, -5.043006, -6.077868, -2.132637, -0.4656835, -0.2608668, -0.008112807,
     -3.804818,
 };
-constexpr std::array<double, 3> kRidgeMean{
+constexpr std::array<double, 3> kRidgeEndsMean{
     0.9878811, -1.54368, 3.681826,
 };
-constexpr std::array<double, 9> kRidgePrecision{
+constexpr std::array<double, 9> kRidgeEndsPrecision{
     34.77734, -12.78775, -14.72936, -12.78775, 53.00715, 11.69907, -14.72936, 11.69907, 14.31022,
 };
-constexpr std::array<double, 630> kGrooveWeights{
+constexpr std::array<double, 630> kGroove{
     -5.291768, -0.3019848, 0.1502693, 0.2595084, 0.07927173, -0.02561301, 0.3363631, 0.1822691, -0.09035594, -0.1348169,
     -0.1717556, -0.2823164, -0.2997168, -0.4752485, -0.5857384, -0.05496284, 0.3109115, -0.1158835, -0.1594901, 0.4743518,
     -0.1156304, -0.3368655, 0.3846955, -1.221748, 0.2821712, 0.9427913, 0.3107506, 0.1636155, -0.08006285, -0.2266479,
@@ -117,32 +117,26 @@ constexpr std::array<double, 630> kGrooveWeights{
     -0.1699457, 0.5016883, 0.01137229, -0.0086131, 1.598015, -0.01064493, -0.1162338, -0.06584157, -0.02739904, -0.1178427,
     -0.1110833, -0.07856049, -0.04477746, 0.06049441, -0.124385, -0.03027052, 0.1754788, -0.02783529, -0.1218734, -1.260182,
 };
-constexpr std::array<double, 3> kGrooveMean{
-    0.3889474, 1.115923, 1.194175,
-};
-constexpr std::array<double, 9> kGroovePrecision{
-    10.5583, -2.524575, 3.483158, -2.524575, 12.2658, -6.081598, 3.483158, -6.081598, 10.68782,
-};
 // clang-format on
 
-template <std::size_t W, std::size_t M, std::size_t P>
-LineModel lineModel(const std::array<double, W>& weights, const std::array<double, M>& mean,
-                    const std::array<double, P>& precision, double shortestMm) {
-  static_assert(P == M * M);
-  LineModel model;
-  model.scorer.weights = Eigen::Map<const VectorXd>(weights.data(), static_cast<Index>(W));
-  model.ends.mean = Eigen::Map<const VectorXd>(mean.data(), static_cast<Index>(M));
-  model.ends.precision =
-      Eigen::Map<const Eigen::MatrixXd>(precision.data(), static_cast<Index>(M), static_cast<Index>(M));
-  model.ends.shortestMm = shortestMm;
-  return model;
+template <std::size_t N>
+VectorXd vectorOf(const std::array<double, N>& values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(N));
 }
 
 }  // namespace
 
 const FeatureModel& builtInFeatureModel() {
-  static const FeatureModel model{lineModel(kRidgeWeights, kRidgeMean, kRidgePrecision, 60),
-                                  lineModel(kGrooveWeights, kGrooveMean, kGroovePrecision, 20)};
+  static const FeatureModel model = [] {
+    FeatureModel made;
+    made.ridge.weights = vectorOf(kRidge);
+    made.groove.weights = vectorOf(kGroove);
+    made.ridgeEnds.mean = vectorOf(kRidgeEndsMean);
+    const Index n = made.ridgeEnds.mean.size();
+    made.ridgeEnds.precision = vectorOf(kRidgeEndsPrecision).reshaped(n, n);
+    made.ridgeEnds.shortestMm = 60;
+    return made;
+  }();
   return model;
 }
 

@@ -12,7 +12,7 @@ namespace falciform {
 
 /// How suggestions become patches.
 struct SuggestionSettings {
-  double widthMm = 14;  ///< of a patch, across its line
+  double widthMm = 12;  ///< of a patch, across its line
   int candidates = 3;   ///< at most so many lines a feature, the best first
 };
 

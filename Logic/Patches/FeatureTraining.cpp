@@ -16,7 +16,7 @@ struct Rule {
   double penalty = 50;
   double onMarkMm = 6;  ///< a point of a line so near a mark lies on it
 };
-constexpr Rule kRidge{}, kGroove{6, 15, 7, 50, 10};
+constexpr Rule kRidge{}, kGroove{6, 15, 7, 50, 0};
 
 struct Examples {
   std::vector<Eigen::MatrixXd> numbers;
@@ -90,29 +90,20 @@ FeatureModel trainFeatureModel(const std::vector<const MarkedLiver*>& livers, co
   progress.report(0, "Learning the ridge");
   for (const MarkedLiver* liver : livers)
     gather(liver->ground.descriptors, liver->ground, liver->ridge, std::sqrt(liver->weight), kRidge, ridge);
-  model.ridge.scorer = fitScorer(ridge, kRidge.penalty);
+  model.ridge = fitScorer(ridge, kRidge.penalty);
   progress.report(0.4, "Learning the groove");
-  std::vector<TracedLine> margins;
-  EndExamples ridgeExamples, grooveExamples;
+  EndExamples ridgeExamples;
   for (const MarkedLiver* liver : livers) {
     const FeatureGround& ground = liver->ground;
-    const TracedLine& margin = margins.emplace_back(traceMargin(ground, model));
+    const TracedLine margin = traceMargin(ground, model);
     ridgeExamples.add(margin, margin.standard.leftCols(1), ground.sizeMm,
                       endsOnMark(margin, liver->ridge, kRidge.onMarkMm), liver->weight);
     gather(grooveDescriptors(ground, margin), ground, liver->groove, std::sqrt(liver->weight), kGroove,
            groove);
   }
-  model.ridge.ends = fitEnds(ridgeExamples.numbers, ridgeExamples.weights);
-  model.ridge.ends.shortestMm = 60;
-  model.groove.scorer = fitScorer(groove, kGroove.penalty);
-  for (std::size_t i = 0; i < livers.size(); ++i) {
-    const FeatureGround& ground = livers[i]->ground;
-    const TracedLine line =
-        traceGroove(ground, model.groove.scorer.logOdds(grooveDescriptors(ground, margins[i])));
-    grooveExamples.add(line, groovePlaces(ground, line, margins[i]), ground.sizeMm,
-                       endsOnMark(line, livers[i]->groove, kGroove.onMarkMm), livers[i]->weight);
-  }
-  model.groove.ends = fitEnds(grooveExamples.numbers, grooveExamples.weights);
+  model.ridgeEnds = fitEnds(ridgeExamples.numbers, ridgeExamples.weights);
+  model.ridgeEnds.shortestMm = 60;
+  model.groove = fitScorer(groove, kGroove.penalty);
   progress.report(1, "Learning the groove");
   return model;
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "Logic/Patches/FeatureSuggestions.h"
+#include "Logic/Patches/GrooveFit.h"
 #include "Testing/Benchmarks/MarkedLivers.h"
 #include "Testing/Support/RealData.h"
 
@@ -60,14 +61,11 @@ Outcome outcomeOf(const bench::AnnotatedLiver& liver, const FeatureModel& model,
       bench::agreement(bench::alongEdges(liver.surface.points, edgesWithin(liver.surface, patch)),
                        liver.marked.ridge, kRidgeMm);
 
-  const TracedLine groove =
-      traceGroove(ground, model.groove.scorer.logOdds(grooveDescriptors(ground, margin)));
-  const LineEnds grooveEnd = grooveEnds(ground, groove, margin, model);
-  outcome.groove = bench::agreement(partOf(groove, grooveEnd.first, grooveEnd.last).points,
-                                    liver.marked.groove, kGrooveMm);
+  const TracedLine groove = fitGroove(ground, model.groove.logOdds(grooveDescriptors(ground, margin)));
+  outcome.groove = bench::agreement(groove.points, liver.marked.groove, kGrooveMm);
   if (!folder.empty()) {
     writeLine(folder + "/" + liver.name + "_margin.csv", margin, ends);
-    writeLine(folder + "/" + liver.name + "_groove.csv", groove, grooveEnd);
+    writeLine(folder + "/" + liver.name + "_groove.csv", groove, {0, groove.points.rows() - 1});
   }
   return outcome;
 }
