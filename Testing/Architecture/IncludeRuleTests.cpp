@@ -104,9 +104,8 @@ TEST(IncludeRule, VtkStandsInVtkBridgeAndInSourceFilesOfIO) {
 }
 
 TEST(IncludeRule, ForeignLibrariesStandInSourceFilesOnly) {
-  const std::vector<std::string> foreign{"flann/", "tetgen", "opencv",   "cholmod",
-                                         "tbb/",   "zlib",   "openssl/", "gdcm",    "png.h",
-                                         "jpeglib"};
+  const std::vector<std::string> foreign{"flann/", "tetgen",   "opencv", "cholmod", "tbb/",
+                                         "zlib",   "openssl/", "gdcm",   "png.h",   "jpeglib"};
   for (const SourceFile& file : sourceFiles()) {
     if (file.folder(1) != "Logic" || !file.isHeader()) continue;
     for (const std::string& include : file.systemIncludes)
