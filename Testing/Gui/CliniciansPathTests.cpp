@@ -72,6 +72,7 @@ TEST_F(CliniciansPath, FromLabelMapToDistanceMapByMouseAndKeyboard) {
   handleEvents(200);
 
   // 2. Paint the falciform groove from the front and the ridge from below, by the mouse.
+  click("nextModule");  // past the scan's preparation: there is none yet
   click("nextModule");
   click("paint");
   drag(wayAlong(patch::kFalciform, 2, 12));

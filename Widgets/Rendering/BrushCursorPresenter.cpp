@@ -15,7 +15,6 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* data, float width, double units
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(-4, units);
   mapper->SetRelativeCoincidentTopologyPointOffsetParameter(units);
   auto actor = vtkSmartPointer<vtkActor>::New();

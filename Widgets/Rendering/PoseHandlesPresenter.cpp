@@ -25,7 +25,6 @@ vtkSmartPointer<vtkActor> onTop(vtkPolyData* data, const Vector3d& colour) {
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
   // An offset larger than the whole depth range: in front of everything.
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, -1e9);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);

@@ -1,6 +1,7 @@
 #include "Widgets/Rendering/Scene.h"
 
 #include <vtkLightKit.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkRendererCollection.h>
 
@@ -37,6 +38,9 @@ Scene::Scene(const SceneStyle& style) : style_(style), renderer_(vtkSmartPointer
   renderer_->SetMaximumNumberOfPeels(6);
   renderer_->SetOcclusionRatio(0.0);
   renderer_->SetUseFXAA(true);
+  // VTK keeps this switch for all mappers in common: set once, a picture does not depend on what was drawn
+  // before.
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   lightLikePaper(renderer_);
   notice_ = std::make_unique<TextPresenter>(renderer_.Get(), TextPlace::BottomLeft, style.textPx, style.text);
   notice_->setText(kResearchUse);

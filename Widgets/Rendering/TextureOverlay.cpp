@@ -62,7 +62,6 @@ TextureOverlay::TextureOverlay(vtkRenderer* renderer)
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetColorModeToDirectScalars();
   // Just before the surface itself, which has the same points.
-  mapper->SetResolveCoincidentTopologyToPolygonOffset();
   mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2, -2);
   actor_->SetMapper(mapper);
   actor_->SetVisibility(false);
