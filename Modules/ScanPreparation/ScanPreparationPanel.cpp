@@ -121,6 +121,8 @@ void ScanPreparationPanel::addFinish() {
 
 void ScanPreparationPanel::enter() {
   logic_.showMarks();
+  targetBefore_ = bench().painting.target;
+  labelBefore_ = bench().painting.label;
   bench().painting.target = PaintTarget::Scan;
   bench().view.edit([](ViewOptions& options) {
     options.arrangement = Arrangement::ScanOnly;
@@ -131,6 +133,8 @@ void ScanPreparationPanel::enter() {
 void ScanPreparationPanel::leave() {
   preview_.drop();
   bench().view.edit([](ViewOptions& options) { options.painting = false; });
+  bench().painting.target = targetBefore_;
+  bench().painting.label = labelBefore_;
   if (logic_.marked() && logic_.count(ScanMark::Kept) > 0 &&
       logic_.count(ScanMark::Kept) < (document().scan() ? document().scan()->size() : 0))
     bench().log.warn(tr("What was marked on the scan is still in it: take it out in Scan preparation."));

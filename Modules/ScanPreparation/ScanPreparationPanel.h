@@ -46,6 +46,8 @@ class ScanPreparationPanel : public ModulePanel {
   ScanBrush* brush_;
   QPushButton *mark_, *apply_, *restore_;
   Connection viewChanged_, brushChanged_;
+  PaintTarget targetBefore_ = PaintTarget::Preop;  ///< of the other steps
+  int labelBefore_ = patch::kFalciform;
 };
 
 }  // namespace falciform
