@@ -246,6 +246,7 @@ LevelSetResult segmentLevelSet(const LevelSetInput& input, const LevelSetSetting
   result.tissueSpreadHu = start.tissues[0].group.tissue.spread;
   result.neckMm = start.neckMm;
   result.leftOut = std::move(start.leftOut);
+  result.enclosed = std::move(start.enclosed);
   result.warnings = std::move(start.warnings);
   std::vector<LeftOut> behindNecks;
   for (std::size_t f = 0; f < factors.size(); ++f) {

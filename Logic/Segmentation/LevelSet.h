@@ -24,6 +24,14 @@ struct LeftOut {
   Vector3d place = Vector3d::Zero();  ///< LPS mm
 };
 
+/// A darker body that was taken in because the organ encloses most of it: a tumour that reaches the border.
+struct EnclosedPart {
+  double volumeMl = 0;                ///< in the first growth; the level set may have moved its border since
+  double levelHu = 0;                 ///< its median
+  double enclosedShare = 0;           ///< of its border, what lies at the lung left out
+  Vector3d place = Vector3d::Zero();  ///< LPS mm
+};
+
 struct LevelSetResult {
   LabelMap labels;  ///< 1 is the organ; the CT's grid
   double volumeMl = 0;
@@ -31,6 +39,7 @@ struct LevelSetResult {
   double neckMm = 0;           ///< radius of the narrowest neck that the front was let through
   double weakBorderShare = 0;  ///< of the border where the image shows no edge
   std::vector<LeftOut> leftOut;
+  std::vector<EnclosedPart> enclosed;  ///< largest first; each is told in the warnings too
   std::vector<std::string> warnings;
 };
 

@@ -25,6 +25,15 @@ std::string placesText(const std::vector<LeftOut>& parts) {
   return text;
 }
 
+std::string enclosedText(const std::vector<EnclosedPart>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(parts.size(), kMostNamed); ++i)
+    text += (i > 0 ? "; " : "") + roundedText(parts[i].volumeMl, 0) + " ml of " +
+            roundedText(parts[i].levelHu, 0) + " HU at " + placeText(parts[i].place);
+  if (parts.size() > kMostNamed) text += "; and " + std::to_string(parts.size() - kMostNamed) + " more";
+  return text;
+}
+
 }  // namespace
 
 std::vector<LeftOut> partsBehindNecks(const Volume<std::uint8_t>& organ, double neckMm, double wideness,
@@ -117,6 +126,10 @@ void warnOfLeaks(LevelSetResult& result, const LevelSetSettings& settings,
     warnings.push_back(roundedText(result.volumeMl, 0) + " ml, more than the " +
                        roundedText(settings.mostVolumeMl, 0) +
                        " ml expected: the front has probably leaked; look where, and forbid it");
+  if (!result.enclosed.empty())
+    warnings.push_back("darker tissue that the organ encloses for the most part was taken in: " +
+                       enclosedText(result.enclosed) +
+                       "; look at it, and forbid it if it is not the organ's");
   if (!behindNecks.empty())
     warnings.push_back(
         "possible leak through a narrow bridge: parts hang on by a neck thinner than their own "

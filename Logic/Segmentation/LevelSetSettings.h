@@ -15,6 +15,7 @@ struct LevelSetSettings {
   double coarsestMm = 3.2;     ///< voxel of the first growth
   double leastVolumeMl = 400;  ///< a liver's; below it a warning
   double mostVolumeMl = 3500;  ///< a liver's; above it a warning
+  bool takeEnclosed = true;    ///< darker bodies that the organ encloses for the most part become organ
   bool fillCavities = true;    ///< background that the organ encloses becomes organ
 };
 
@@ -43,6 +44,10 @@ void describe(LevelSetSettings& s, Visitor&& field) {
         s.leastVolumeMl);
   field(FieldInfo{"mostVolumeMl", "Most volume", "ml", 0, 100000, "A larger organ is warned of."},
         s.mostVolumeMl);
+  field(
+      FieldInfo{"takeEnclosed", "Take enclosed tissue in", "", 0, 1,
+                "Take in darker bodies (20 HU or more) that the organ encloses for the most part: tumours."},
+      s.takeEnclosed);
   field(FieldInfo{"fillCavities", "Fill cavities", "", 0, 1,
                   "Fill holes that the organ encloses on all sides."},
         s.fillCavities);

@@ -5,6 +5,7 @@
 
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/PlaceText.h"
+#include "Logic/Segmentation/EnclosedTissue.h"
 #include "Logic/Segmentation/GridFilters.h"
 
 namespace falciform {
@@ -72,6 +73,27 @@ Growth growTissue(const Image& image, SeedGroup& group, bool parenchyma, const I
   return growth;
 }
 
+/// Takes in darker bodies that the parenchyma encloses for the most part, each as a tissue of its own, as if
+/// it had been clicked.
+void takeEnclosed(const Image& image, const Image& forbidden, const LevelSetSettings& settings,
+                  LevelSetStart& start) {
+  const Tissue& tissue = start.tissues[0].group.tissue;
+  Volume<std::uint8_t> barred;
+  if (!forbidden.voxels.empty()) {
+    barred = sameGrid<std::uint8_t>(image, 0);
+    for (std::size_t i = 0; i < barred.voxels.size(); ++i) barred.voxels[i] = forbidden.voxels[i] >= kHalf;
+  }
+  for (EnclosedBody& body : enclosedBodies(image, start.region, barred,
+                                           {.darkHu = tissue.level - settings.tissueWidth * tissue.spread,
+                                           .brightHu = tissue.level + settings.tissueWidth * tissue.spread,
+                                           .leastRadiusMm = settings.fillMm})) {
+    for (std::size_t i = 0; i < body.region.voxels.size(); ++i)
+      start.region.voxels[i] |= body.region.voxels[i];
+    start.enclosed.push_back({body.volumeMl, body.tissue.level, body.enclosedShare, body.place});
+    start.tissues.push_back({{body.tissue, {}, {}}, std::move(body.region)});
+  }
+}
+
 std::string seedList(const std::vector<Index>& numbers) {
   std::string text = numbers.size() == 1 ? "seed " : "seeds ";
   for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -124,6 +146,8 @@ LevelSetStart growStart(const PyramidLevel& level, const std::vector<Vector3d>& 
   for (const Vector3d& seed : seeds)
     if (const Vector3i at = seed.array().round().cast<int>(); inside(at, level.image.size))
       start.region.at(at.x(), at.y(), at.z()) = 1;
+  // Before the gaps are filled: a filled half of a tumour would hide the rest.
+  if (settings.takeEnclosed && kept.voxels.empty()) takeEnclosed(image, forbidden, settings, start);
   fillGaps(start.region, settings.fillMm);
   if (!forbidden.voxels.empty())
     for (std::size_t i = 0; i < start.region.voxels.size(); ++i)

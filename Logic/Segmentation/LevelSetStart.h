@@ -18,6 +18,7 @@ struct LevelSetStart {
   Volume<std::uint8_t> region;       ///< all of them, what one goes on from, gaps filled
   double neckMm = 0;                 ///< of the parenchyma's growth
   std::vector<LeftOut> leftOut;
+  std::vector<EnclosedPart> enclosed;  ///< darker bodies taken in
   std::vector<std::string> warnings;
 };
 

@@ -123,9 +123,10 @@ TEST(LevelSet, TumourIsTakenInByASeedOfItsOwn) {
   const Vector3d tumour(83, 60, 60);  // at the border: no cavity that would be filled anyway
   const Image ct =
       ballCt([&](const Vector3d& at, double hu) { return hu > 0 && (at - tumour).norm() < 12 ? 30 : hu; });
-  const LevelSetResult without = segmentLevelSet({.ct = ct, .seeds = seedsAt({{45, 60, 60}})}, smallOrgan()),
-                       with = segmentLevelSet({.ct = ct, .seeds = seedsAt({{45, 60, 60}, tumour})},
-                                              smallOrgan());
+  LevelSetSettings settings = smallOrgan();
+  settings.takeEnclosed = false;
+  const LevelSetResult without = segmentLevelSet({.ct = ct, .seeds = seedsAt({{45, 60, 60}})}, settings),
+                       with = segmentLevelSet({.ct = ct, .seeds = seedsAt({{45, 60, 60}, tumour})}, settings);
   EXPECT_LT(without.volumeMl, ballMl(35) - 0.4 * ballMl(12));
   EXPECT_NEAR(with.volumeMl, ballMl(35), 0.03 * ballMl(35));
   EXPECT_THAT(with.warnings, Contains(HasSubstr("unlike the organ's")));
