@@ -59,15 +59,35 @@ struct Surroundings {
   const Flags& organ;
 };
 
+Vector3i indexOf(const Vector3i& size, std::size_t voxel) {
+  const auto at = static_cast<int>(voxel);
+  return {at % size.x(), at / size.x() % size.y(), at / size.x() / size.y()};
+}
+
 /// All that balls of `radius` about the middles cover, less the organ; ascending.
-std::vector<std::size_t> covered(const Surroundings& at, const std::vector<std::size_t>& middles,
-                                 double radius) {
-  Flags flags = sameGrid<std::uint8_t>(at.organ, 0);
-  for (const std::size_t voxel : middles) flags.voxels[voxel] = 1;
-  const Image away = distanceTo(flags);
+std::vector<std::size_t> covered(const Flags& organ, const std::vector<std::size_t>& middles, double radius) {
+  const Vector3i margin = (radius / organ.spacing().array()).ceil().cast<int>();
+  Vector3i low = organ.size, high = Vector3i::Zero();
+  for (const std::size_t voxel : middles) {
+    low = low.cwiseMin(indexOf(organ.size, voxel));
+    high = high.cwiseMax(indexOf(organ.size, voxel));
+  }
+  low = (low - margin).cwiseMax(0);
+  high = (high + margin).cwiseMin(organ.size - Vector3i::Ones());
+  Flags box{high - low + Vector3i::Ones(), organ.worldFromIndex, {}};
+  box.voxels.assign(static_cast<std::size_t>(box.size.cast<Index>().prod()), 0);
+  for (const std::size_t voxel : middles) {
+    const Vector3i at = indexOf(organ.size, voxel) - low;
+    box.at(at.x(), at.y(), at.z()) = 1;
+  }
+  const Image away = distanceTo(box);
   std::vector<std::size_t> body;
-  for (std::size_t i = 0; i < away.voxels.size(); ++i)
-    if (static_cast<double>(away.voxels[i]) < radius && at.organ.voxels[i] == 0) body.push_back(i);
+  for (int k = 0; k < box.size.z(); ++k)
+    for (int j = 0; j < box.size.y(); ++j)
+      for (int i = 0; i < box.size.x(); ++i) {
+        const std::size_t voxel = organ.offset(low.x() + i, low.y() + j, low.z() + k);
+        if (static_cast<double>(away.at(i, j, k)) < radius && organ.voxels[voxel] == 0) body.push_back(voxel);
+      }
   return body;
 }
 
@@ -140,7 +160,7 @@ std::vector<EnclosedBody> enclosedBodies(const Image& image, const Flags& organ,
       if (static_cast<double>(room) < plan.leastRadiusMm || static_cast<double>(nearest) > 2 * radius ||
           static_cast<double>(piece.voxels.size()) > plan.mostShare * organVoxels)
         continue;
-      const std::vector<std::size_t> body = covered(at, piece.voxels, radius);
+      const std::vector<std::size_t> body = covered(organ, piece.voxels, radius);
       if (static_cast<double>(body.size()) > plan.mostShare * organVoxels) continue;
       const Contact contact = contactOf(at, body);
       if (contact.enclosed < plan.enclosedShare || contact.touching < plan.touchingShare) continue;
@@ -161,10 +181,7 @@ std::vector<EnclosedBody> enclosedBodies(const Image& image, const Flags& organ,
       values.push_back(image.voxels[voxel]);
       if (at.depth.voxels[voxel] > at.depth.voxels[middle]) middle = voxel;
     }
-    const auto index = static_cast<int>(middle);
-    const Vector3i size = organ.size;
-    body.place =
-        organ.world(Vector3d(index % size.x(), index / size.x() % size.y(), index / size.x() / size.y()));
+    body.place = organ.world(indexOf(organ.size, middle).cast<double>());
     body.tissue = tissueOf(std::move(values));
     body.volumeMl = piece.volumeMl(organ);
     if (body.volumeMl < plan.leastMl) continue;

@@ -25,6 +25,7 @@ constexpr double kLeakWidth = 1.5;  ///< necks up to so many times the front's o
 constexpr double kWideNeckMm = 10, kMuchWider = 2.5;
 constexpr double kLeastNeckMm = 4;       ///< for maps that one goes on from
 constexpr double kLeakShare = 0.01;      ///< of the organ's volume: smaller parts are not worth a word
+constexpr float kAnyHu = 1e6F;           ///< beyond any brightness
 constexpr std::size_t kEnough = 200000;  ///< values that statistics need
 
 /// One tissue as the level set sees it on the level at hand.
@@ -129,17 +130,31 @@ std::pair<Vector3i, Vector3i> boxOf(const Stage& stage, const StorageOrder& orde
       (high + margin).array().ceil().cast<int>().matrix().cwiseMin(order.size - Vector3i::Ones() + factor)};
 }
 
+/// Farther from the front than the coarse level followed it, nothing will move: there inside is organ,
+/// outside is not, and nothing is computed.
 Stage finerStage(const Stage& coarse, PyramidLevel level, const LevelSetSettings& settings) {
   Stage stage{std::move(level), {}, {}, {}, {}, {}, {}};
-  const auto here = [&](const Image& image) { return resampled(image, coarse.level, stage.level); };
-  stage.phi = here(coarse.phi);
+  stage.phi = resampled(coarse.phi, coarse.level, stage.level);
+  float width = 0;
+  for (const float value : coarse.phi.voxels) width = std::max(width, std::abs(value));
+  Mask far = sameGrid<std::uint8_t>(stage.phi, 0);
+  for (std::size_t i = 0; i < far.voxels.size(); ++i)
+    far.voxels[i] = std::abs(stage.phi.voxels[i]) > 0.999F * width;
+  const auto here = [&](const Image& image) { return resampled(image, coarse.level, stage.level, &far); };
   stage.anchor = here(coarse.anchor);
   stage.smoothed = stage.level.image;
   smooth(stage.smoothed, settings.noiseMm);
-  for (const MovingTissue& before : coarse.tissues)
-    stage.tissues.push_back({before.tissue,
-                             before.away.voxels.empty() ? Image{} : here(before.away),
-                             {here(before.limits.low), here(before.limits.high)}});
+  for (const MovingTissue& before : coarse.tissues) {
+    MovingTissue tissue{before.tissue,
+                        before.away.voxels.empty() ? Image{} : here(before.away),
+                        {here(before.limits.low), here(before.limits.high)}};
+    for (std::size_t i = 0; i < far.voxels.size(); ++i)
+      if (far.voxels[i] != 0) {
+        tissue.limits.low.voxels[i] = stage.phi.voxels[i] < 0 ? -kAnyHu : kAnyHu;
+        tissue.limits.high.voxels[i] = kAnyHu;
+      }
+    stage.tissues.push_back(std::move(tissue));
+  }
   return stage;
 }
 

@@ -80,13 +80,15 @@ Image coarsenedShare(const LabelMap& map, const StorageOrder& order, const Pyram
   return share;
 }
 
-Image resampled(const Image& image, const PyramidLevel& from, const PyramidLevel& to) {
-  Image result{to.image.size, to.image.worldFromIndex, std::vector<float>(to.image.voxels.size())};
+Image resampled(const Image& image, const PyramidLevel& from, const PyramidLevel& to,
+                const Volume<std::uint8_t>* skip) {
+  Image result{to.image.size, to.image.worldFromIndex, std::vector<float>(to.image.voxels.size(), 0)};
   forEachChunk(static_cast<std::size_t>(result.size.z()), 1, [&](std::size_t begin, std::size_t end) {
     for (int k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
       for (int j = 0; j < result.size.y(); ++j)
         for (int i = 0; i < result.size.x(); ++i)
-          result.at(i, j, k) = valueAt(image, from.fromStored(to.toStored(Vector3d(i, j, k))));
+          if (skip == nullptr || skip->at(i, j, k) == 0)
+            result.at(i, j, k) = valueAt(image, from.fromStored(to.toStored(Vector3d(i, j, k))));
   });
   return result;
 }

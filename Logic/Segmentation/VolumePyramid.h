@@ -32,8 +32,9 @@ struct PyramidLevel {
 /// The same for flags: the share of each block whose stored value is above 0; none beyond the volume.
 [[nodiscard]] Image coarsenedShare(const LabelMap& map, const StorageOrder& order, const PyramidLevel& like);
 
-/// `image` of the level `from`, at the voxels of the level `to`.
-[[nodiscard]] Image resampled(const Image& image, const PyramidLevel& from, const PyramidLevel& to);
+/// `image` of the level `from`, at the voxels of the level `to`; where `skip` (on `to`'s grid) is set, 0.
+[[nodiscard]] Image resampled(const Image& image, const PyramidLevel& from, const PyramidLevel& to,
+                              const Volume<std::uint8_t>* skip = nullptr);
 
 /// The value at a continuous index, linear between voxels, the nearest beyond the border.
 [[nodiscard]] float valueAt(const Image& image, const Vector3d& index);

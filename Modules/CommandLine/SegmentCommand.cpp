@@ -66,10 +66,16 @@ nlohmann::json figuresOf(const LevelSetResult& result, double seconds) {
                          {"neck_mm", result.neckMm},
                          {"weak_border_share", result.weakBorderShare},
                          {"seconds", seconds},
-                         {"left_out", nlohmann::json::array()}};
+                         {"left_out", nlohmann::json::array()},
+                         {"enclosed", nlohmann::json::array()}};
   for (const LeftOut& part : result.leftOut)
     figures["left_out"].push_back({{"neck_mm", part.neckMm},
                                    {"volume_ml", part.volumeMl},
+                                   {"place_lps_mm", {part.place.x(), part.place.y(), part.place.z()}}});
+  for (const EnclosedPart& part : result.enclosed)
+    figures["enclosed"].push_back({{"volume_ml", part.volumeMl},
+                                   {"level_hu", part.levelHu},
+                                   {"enclosed_share", part.enclosedShare},
                                    {"place_lps_mm", {part.place.x(), part.place.y(), part.place.z()}}});
   return figures;
 }
