@@ -156,31 +156,26 @@ Neighbour KdTree::nearest(const Vector3d& query, const Neighbour& guess) const {
 }
 
 std::vector<Neighbour> KdTree::nearest(const Vector3d& query, int k) const {
-  std::vector<Neighbour> found;
+  std::vector<Neighbour> found;  // nearest first
   if (!tree_ || k <= 0) return found;
-  const auto wanted = static_cast<std::size_t>(k);
-  const auto order = [](const Neighbour& a, const Neighbour& b) {
-    return nearer(a.squaredDistance, a.index, b);
-  };
+  const auto wanted = static_cast<std::size_t>(std::min(k, size_));
+  found.reserve(wanted);
+  double farthest = std::numeric_limits<double>::infinity();  // once all that are wanted are there
   tree_->search(
-      query,
-      [&] {
-        return found.size() < wanted ? std::numeric_limits<double>::infinity()
-                                     : found.front().squaredDistance;
-      },
+      query, [&] { return farthest; },
       [&](const Entry* entry, const Entry* end) {
         for (; entry != end; ++entry) {
-          const Neighbour candidate{entry->index, squaredDistance(query, {entry->x, entry->y, entry->z})};
+          const double squared = squaredDistance(query, {entry->x, entry->y, entry->z});
           if (found.size() == wanted) {
-            if (!order(candidate, found.front())) continue;
-            std::pop_heap(found.begin(), found.end(), order);
+            if (!nearer(squared, entry->index, found.back())) continue;
             found.pop_back();
           }
-          found.push_back(candidate);
-          std::push_heap(found.begin(), found.end(), order);
+          auto place = found.end();
+          while (place != found.begin() && nearer(squared, entry->index, *(place - 1))) --place;
+          found.insert(place, Neighbour{entry->index, squared});
+          if (found.size() == wanted) farthest = found.back().squaredDistance;
         }
       });
-  std::sort_heap(found.begin(), found.end(), order);
   return found;
 }
 

@@ -29,22 +29,28 @@ struct Pose {
 
 /// A sample point where the pose puts it, and what it is drawn to; one that is not labelled has no `toOwn`.
 struct Pair {
-  Vector3f moved, toTarget, normal, toOwn;
+  Vector3f moved, toTarget = Vector3f::Zero(), normal = Vector3f::Zero(), toOwn = Vector3f::Zero();
   float squared = 0, agreement = 0, ownSquared = -1;
 };
 
-Vector3f rowOf(const Points& points, std::size_t i) {
-  return points.row(static_cast<Index>(i)).transpose().cast<float>();
-}
+/// A sample in single precision.
+struct Cloud {
+  Eigen::Matrix3Xf points, normals;
+  explicit Cloud(const ScanSample& sample)
+      : points(sample.points.transpose().cast<float>()), normals(sample.normals.transpose().cast<float>()) {}
+};
 
-Pair pairOf(const CoarseTarget& target, const ScanSample& sample, std::size_t i, const Pose& pose) {
+Pair pairOf(const CoarseTarget& target, const ScanSample& sample, const Cloud& cloud, std::size_t i,
+            const Pose& pose, bool surface) {
   Pair p;
-  p.moved = pose * rowOf(sample.points, i);
-  const CoarseTarget::Place& near = target.closest(p.moved);
-  p.toTarget = near.point - p.moved;
-  p.normal = near.normal;
-  p.squared = p.toTarget.squaredNorm();
-  p.agreement = near.normal.dot(pose.rotation * rowOf(sample.normals, i));
+  p.moved = pose * cloud.points.col(static_cast<Index>(i));
+  if (surface) {
+    const CoarseTarget::Place& near = target.closest(p.moved);
+    p.toTarget = near.point - p.moved;
+    p.normal = near.normal;
+    p.squared = p.toTarget.squaredNorm();
+    p.agreement = near.normal.dot(pose.rotation * cloud.normals.col(static_cast<Index>(i)));
+  }
   if (sample.labels[i] > 0) {
     p.toOwn = target.closestOf(sample.labels[i], p.moved).point - p.moved;
     p.ownSquared = p.toOwn.squaredNorm();
@@ -132,6 +138,7 @@ CoarseTarget::CoarseTarget(const Surface& preop, const Points& normals) {
 void alignCoarsely(const CoarseTarget& target, const ScanSample& sample, const CoarsePull& pull,
                    int iterations, StartPose& pose) {
   const auto n = static_cast<std::size_t>(sample.size());
+  const Cloud cloud(sample);
   std::vector<Pair> pairs(n);
   std::vector<float> squared, ownSquared;
   const double decay = pull.first > 0 ? std::pow(pull.last / pull.first, 2.0 / std::max(2, iterations)) : 1;
@@ -143,8 +150,8 @@ void alignCoarsely(const CoarseTarget& target, const ScanSample& sample, const C
     squared.clear();
     ownSquared.clear();
     for (std::size_t i = 0; i < n; ++i) {
-      pairs[i] = pairOf(target, sample, i, here);
-      squared.push_back(pairs[i].squared);
+      pairs[i] = pairOf(target, sample, cloud, i, here, pull.surface);
+      if (pull.surface) squared.push_back(pairs[i].squared);
       if (pairs[i].ownSquared >= 0) ownSquared.push_back(pairs[i].ownSquared);
     }
     const float scale = robustScale(squared), ownScale = robustScale(ownSquared);
@@ -173,10 +180,11 @@ void alignCoarsely(const CoarseTarget& target, const ScanSample& sample, const C
 
 void scoreCoarsely(const CoarseTarget& target, const ScanSample& sample, StartPose& pose) {
   const auto term = [](float squared) { return squared / (squared + kScoreScaleMm * kScoreScaleMm); };
+  const Cloud cloud(sample);
   const Pose here(pose.preopFromScan);
   double sum = 0, weights = 0;
   for (std::size_t i = 0; i < sample.labels.size(); ++i) {
-    const Pair p = pairOf(target, sample, i, here);
+    const Pair p = pairOf(target, sample, cloud, i, here, true);
     sum += p.agreement < 0 ? 1 : term(p.squared);
     weights += 1;
     if (p.ownSquared < 0) continue;

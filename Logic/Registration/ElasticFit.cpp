@@ -9,6 +9,7 @@
 
 #include "Logic/Core/Median.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Registration/ElasticEquations.h"
 
 namespace falciform {
 
@@ -18,25 +19,24 @@ constexpr std::size_t kChunk = 128;   // fixed: sums are formed in one order wha
 constexpr double kPaintingMm = 3;     // how well a patch's border is painted
 constexpr double kPatchScaleMm = 10;  // Welsch scale of the pull to one's own label, at least
 constexpr double kScoreScaleMm = 5;
+constexpr double kWalkMm = 2;  // after a step no longer than this a nearest place is walked to, not searched
 // Before the scan has spoken: strains as livers show in surgery, worth so many modes' evidence.
 constexpr double kUsualStrain = 0.012, kUsualCount = 0.3, kLargestStrain = 0.02;
 constexpr int kLearningSteps = 8;  // what it learns later would move the pose by hundredths of a millimetre
 constexpr double kLeastResidualMm = 0.1, kLargestResidualMm = 4;
-using Unknowns = Eigen::Matrix<double, ElasticModes::kUnknowns, 1>;
-using Rows = Eigen::Matrix<double, ElasticModes::kUnknowns, Eigen::Dynamic>;
+using Unknowns = ElasticEquations::Unknowns;
 
 /// A scan point and where it belongs: plane residuals for all, and three coordinates for labelled ones.
 struct Match {
-  PreparedPreop::Place place{Vector3d::Zero(), Vector3d::Zero()};
+  PreparedPreop::Place place{Vector3d::Zero(), Vector3d::Zero(), -1};
   int point = -1,
       own = -1;  ///< nearest pre-op point; nearest of the same label, -1: unlabelled or there already
   double distance = 0, ownDistance = 0;  ///< along the normal, signed; to `own`
 };
 
-struct Sums {
-  ElasticModes::Energy matrix = ElasticModes::Energy::Zero();  // lower triangle
-  Unknowns right = Unknowns::Zero();
-};
+ElasticModes::Energy covarianceOf(const Eigen::LLT<ElasticModes::Energy>& precision) {
+  return precision.solve(ElasticModes::Energy::Identity());
+}
 
 double welsch(double distance, double scale) {
   const double r = distance / scale;
@@ -64,7 +64,8 @@ class Fit {
     shareCells();
   }
 
-  void match();
+  /// `near`: the last step was short, so each point's place is near its last one.
+  void match(bool near);
   /// Solves for the bending from scratch and moves its rigid part into the pose.
   void step();
   /// Strain and residual that make what was seen most probable.
@@ -78,20 +79,18 @@ class Fit {
   Isometry3d pose;
   ElasticModes::Coefficients bending = settings_.bending;
   double damping = 1;  ///< share of a Gauss-Newton step that is made
-  [[nodiscard]] ElasticModes::Energy covariance() const {
-    return factors_.solve(ElasticModes::Energy::Identity());
-  }
+  [[nodiscard]] const Eigen::LLT<ElasticModes::Energy>& factors() const { return factors_; }
   double strain = settings_.strain, residualMm = settings_.residualMm;
 
  private:
   void shareCells();
-  void addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums) const;
+  void addChunk(std::size_t begin, std::size_t end, double weight, ElasticEquations& equations) const;
   std::vector<Match> matches_;
   std::vector<int> cells_;      // of each point
   std::vector<double> shares_;  // of each point in its cell: 1 / count
   int cellCount_ = 0;
   double scale_ = 1, patchScale_ = 1;
-  Eigen::LDLT<ElasticModes::Energy> factors_;
+  Eigen::LLT<ElasticModes::Energy> factors_;
 };
 
 void Fit::shareCells() {
@@ -111,7 +110,7 @@ void Fit::shareCells() {
   for (const int cell : cells_) shares_.push_back(1.0 / counts[static_cast<std::size_t>(cell)]);
 }
 
-void Fit::match() {
+void Fit::match(bool near) {
   const LabelledTarget& target = preop_.target();
   forEachChunk(matches_.size(), kChunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -119,14 +118,19 @@ void Fit::match() {
       const Vector3d y = pose * scan_.points.row(static_cast<Index>(i)).transpose();
       const Vector3d at = m.point < 0 ? y : m.place.point;
       const Vector3d straight = y - preop_.modes().displacement(bending, at);
-      const int guess = m.point < 0 ? preop_.coarse().rowNear(straight.cast<float>()) : m.point;
-      m.point = target.closest(straight, 0, 1, guess).index;
-      m.place = preop_.placeAround(m.point, straight);
+      if (near) {
+        m.place = preop_.placeByWalk(m.place, m.point, straight);
+      } else {
+        const int guess = m.point < 0 ? preop_.coarse().rowNear(straight.cast<float>()) : m.point;
+        m.point = target.closest(straight, 0, 1, guess).index;
+        m.place = preop_.placeAround(m.point, straight);
+      }
       m.distance = m.place.normal.dot(straight - m.place.point);
+      const int lastOwn = m.own;
       m.own = -1;
       m.ownDistance = 0;
       if (scan_.labels[i] == 0 || target.labelOf(m.point) == scan_.labels[i]) continue;
-      const Neighbour own = target.closestOfLabel(straight, scan_.labels[i]);
+      const Neighbour own = target.closestOfLabel(straight, scan_.labels[i], lastOwn);
       m.own = own.index;
       m.ownDistance = std::sqrt(own.squaredDistance);
     }
@@ -140,49 +144,37 @@ void Fit::match() {
   patchScale_ = std::max(kPatchScaleMm, 3 * medianInPlace(own));
 }
 
-void Fit::addChunk(std::size_t begin, std::size_t end, double weight, Sums& sums) const {
+void Fit::addChunk(std::size_t begin, std::size_t end, double weight, ElasticEquations& equations) const {
   const Points& points = preop_.target().points();
-  constexpr int kM = ElasticModes::kMonomials;
-  Rows rows = Rows::Zero(ElasticModes::kUnknowns, static_cast<Index>(4 * (end - begin)));
-  Index row = 0;
+  ElasticEquations::Observations seen(static_cast<Index>(2 * (end - begin)));
   for (std::size_t i = begin; i < end; ++i) {
     const Match& m = matches_[i];
     const Vector3d y = pose * scan_.points.row(static_cast<Index>(i)).transpose();
     const Vector3d &x = m.place.point, &n = m.place.normal;
-    const double share = weight * shares_[i];
-    const double root = std::sqrt(share * welsch(m.distance, scale_));
-    const ElasticModes::Monomials phi = preop_.modes().monomials(x);
-    for (int k = 0; k < 3; ++k) rows.col(row).segment<kM>(k * kM) = root * n[k] * phi;
-    sums.right += root * n.dot(y - x) * rows.col(row);
-    ++row;
+    seen.addAlong(x, n, n.dot(y - x), weight * shares_[i] * welsch(m.distance, scale_));
     if (m.own < 0) continue;
     const Vector3d own = points.row(m.own);
-    const double ownRoot =
-        std::sqrt(shares_[i] * settings_.patchWeight * welsch(m.ownDistance, patchScale_)) / kPaintingMm;
-    const ElasticModes::Monomials ownPhi = preop_.modes().monomials(own);
-    for (int k = 0; k < 3; ++k) {
-      rows.col(row).segment<kM>(k * kM) = ownRoot * ownPhi;
-      sums.right += ownRoot * (y - own)[k] * rows.col(row);
-      ++row;
-    }
+    seen.addWhole(own, y - own,
+                  shares_[i] * settings_.patchWeight * welsch(m.ownDistance, patchScale_) /
+                      (kPaintingMm * kPaintingMm));
   }
-  sums.matrix.selfadjointView<Eigen::Lower>().rankUpdate(rows.leftCols(row));
+  equations.add(preop_.modes(), seen);
 }
 
 void Fit::step() {
   const std::size_t n = matches_.size();
   const double weight = 1 / (residualMm * residualMm);
-  std::vector<Sums> parts((n + kChunk - 1) / kChunk);
+  std::vector<ElasticEquations> parts((n + kChunk - 1) / kChunk);
   forEachChunk(n, kChunk, [&](std::size_t begin, std::size_t end) {
     addChunk(begin, end, weight, parts[begin / kChunk]);
   });
-  Sums total;
-  for (const Sums& part : parts) total.matrix += part.matrix, total.right += part.right;
-  ElasticModes::Energy matrix = total.matrix.selfadjointView<Eigen::Lower>();
+  ElasticEquations total;
+  for (const ElasticEquations& part : parts) total.add(part);
+  ElasticModes::Energy matrix = total.matrix();
   matrix += preop_.modes().energy() / (strain * strain);
   matrix.diagonal().array() += 1e-12 * matrix.trace();
   factors_.compute(matrix);
-  const Unknowns q = factors_.solve(total.right);
+  const Unknowns q = factors_.solve(total.right());
   bending += damping * (Eigen::Map<const ElasticModes::Coefficients>(q.data()) - bending);
   const Isometry3d rigid = preop_.modes().rigidPart(bending);
   bending = preop_.modes().without(rigid, bending);
@@ -206,7 +198,7 @@ void Fit::learn() {
   }
   const Eigen::Map<const Unknowns> q(bending.data());
   const ElasticModes::Energy& energy = preop_.modes().energy();
-  const double free = energy.cwiseProduct(covariance()).sum() / (strain * strain);
+  const double free = energy.cwiseProduct(covarianceOf(factors_)).sum() / (strain * strain);
   const double determined = std::clamp(ElasticModes::kNonRigid - free, 1.0, double{ElasticModes::kNonRigid});
   strain =
       std::sqrt((q.dot(energy * q) + kUsualCount * kUsualStrain * kUsualStrain) / (determined + kUsualCount));
@@ -247,7 +239,8 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
   ElasticFitResult result;
   const Points corners = boxCorners(scan.points);
   Points lastStep;
-  fit.match();
+  bool learnt = !settings.learn;  // strain has settled
+  fit.match(false);
   for (int step = 0; step < settings.maxIterations; ++step) {
     const Points before = transformed(corners, fit.pose);
     const double strainBefore = fit.strain;
@@ -256,12 +249,16 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
     record.rmsMm = fit.rms();
     record.patchWeight = settings.patchWeight;
     fit.step();
-    fit.match();
-    if (settings.learn && step < kLearningSteps) fit.learn();
+    const Points made = transformed(corners, fit.pose) - before;
+    record.motionMm = made.rowwise().norm().maxCoeff();
+    const bool still = record.motionMm < settings.motionToleranceMm;
+    // What it would learn from places that have not moved is what it learnt before.
+    const bool learning = settings.learn && step < kLearningSteps && !(still && learnt);
+    if (!still || learning) fit.match(record.motionMm < kWalkMm);
+    if (learning) fit.learn();
     record.preopFromScan = fit.pose;
     // Matches that change to and fro would have the fit step to and fro for ever; steps that keep their
     // direction are too short.
-    const Points made = transformed(corners, fit.pose) - before;
     if (step > 0) {
       const double turn = made.cwiseProduct(lastStep).sum() / (made.norm() * lastStep.norm() + 1e-12);
       fit.damping = turn < 0     ? std::max(0.25, 0.6 * fit.damping)
@@ -269,13 +266,12 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
                                  : 1;
     }
     lastStep = made;
-    record.motionMm = made.rowwise().norm().maxCoeff();
     result.pose.history.push_back(record);
     if (observer) observer(record);
     progress.report(static_cast<double>(step) / settings.maxIterations, "settling");
-    const bool learnt =
-        !settings.learn || step >= kLearningSteps || std::abs(fit.strain - strainBefore) < 0.1 * strainBefore;
-    if (record.motionMm < settings.motionToleranceMm && learnt) {
+    learnt = !settings.learn || step + 1 >= kLearningSteps ||
+             std::abs(fit.strain - strainBefore) < 0.1 * strainBefore;
+    if (still && learnt) {
       result.pose.converged = true;
       result.pose.stopReason = "nothing moved farther than the tolerance";
       break;
@@ -284,7 +280,7 @@ ElasticFitResult fitElastic(const PreparedPreop& preop, const LabelledSource& sc
   if (!result.pose.converged) result.pose.stopReason = "the largest number of iterations was reached";
   result.pose.preopFromScan = fit.pose;
   result.bending = fit.bending;
-  result.covariance = fit.covariance();
+  result.precision = fit.factors();
   result.score = fit.score();
   result.strain = fit.strain;
   result.residualMm = fit.residualMm;
@@ -298,7 +294,8 @@ std::function<double(const Vector3d&)> expectedTargetError(const ElasticModes& m
     ElasticModes::Coefficients bending;
     ElasticModes::Energy covariance;
   };
-  auto posterior = std::make_shared<const Posterior>(Posterior{modes, fit.bending, fit.covariance});
+  auto posterior =
+      std::make_shared<const Posterior>(Posterior{modes, fit.bending, covarianceOf(fit.precision)});
   return [posterior](const Vector3d& place) {
     constexpr int kM = ElasticModes::kMonomials;
     const ElasticModes::Monomials phi = posterior->modes.monomials(place);
@@ -310,9 +307,10 @@ std::function<double(const Vector3d&)> expectedTargetError(const ElasticModes& m
 
 double expectedTargetErrorMean(const ElasticModes& modes, const ElasticFitResult& fit) {
   constexpr int kM = ElasticModes::kMonomials;
+  const ElasticModes::Energy covariance = covarianceOf(fit.precision);
   double squared = std::pow(modes.rootMeanSquare(fit.bending), 2);
   for (int k = 0; k < 3; ++k)
-    squared += modes.products().cwiseProduct(fit.covariance.block<kM, kM>(k * kM, k * kM)).sum();
+    squared += modes.meanProducts().cwiseProduct(covariance.block<kM, kM>(k * kM, k * kM)).sum();
   return std::sqrt(squared);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Cholesky>
 #include <functional>
 
 #include "Logic/Core/Progress.h"
@@ -27,8 +28,8 @@ struct ElasticFitResult {
   PatchIcpResult pose;  ///< the rigid part: where the organ as a whole is
   ElasticModes::Coefficients bending =
       ElasticModes::Coefficients::Zero();  ///< scan place in preop frame = x + u(x)
-  ElasticModes::Energy covariance =
-      ElasticModes::Energy::Zero();  ///< of the coefficients, column-wise stacked
+  Eigen::LLT<ElasticModes::Energy>
+      precision;     ///< factors of the inverse covariance of the coefficients, column-wise stacked
   double score = 0;  ///< robust residual in [0, 1] plus what the bending costs; lower is better
   double strain = 0, residualMm = 0;  ///< as given or learnt
 };

@@ -1,5 +1,6 @@
 #include "Logic/Registration/ElasticModes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,12 +14,12 @@ namespace {
 constexpr int kHighest = 6;  // products of two cubics
 using Exponents = std::array<int, 3>;
 
-/// Exponents of the monomials: 1, then x, y, z, then the higher ones.
-const std::array<Exponents, ElasticModes::kMonomials>& exponents() {
+/// Exponents of the monomials: 1, then x, y, z, then the higher ones; the first 20 are those of the modes.
+const std::array<Exponents, ElasticModes::kProducts>& exponents() {
   static const auto all = [] {
-    std::array<Exponents, ElasticModes::kMonomials> e{};
+    std::array<Exponents, ElasticModes::kProducts> e{};
     std::size_t next = 0;
-    for (int degree = 0; degree <= 3; ++degree)
+    for (int degree = 0; degree <= kHighest; ++degree)
       for (int a = degree; a >= 0; --a)
         for (int b = degree - a; b >= 0; --b) e[next++] = {a, b, degree - a - b};
     return e;
@@ -125,6 +126,45 @@ ElasticModes::Monomials ElasticModes::monomials(const Vector3d& place) const {
   m << 1, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z, x * x * x, x * x * y, x * x * z, x * y * y,
       x * y * z, x * z * z, y * y * y, y * y * z, y * z * z, z * z * z;
   return m;
+}
+
+ElasticModes::Products ElasticModes::products(const Eigen::Matrix<double, Eigen::Dynamic, 3>& places) const {
+  // Each monomial is one of a degree less times the first coordinate that it holds.
+  static const auto from = [] {
+    std::array<std::pair<int, int>, kProducts> parents{};
+    const auto& e = exponents();
+    for (std::size_t i = 1; i < e.size(); ++i) {
+      Exponents less = e[i];
+      const std::size_t axis = less[0] > 0 ? 0 : less[1] > 0 ? 1 : 2;
+      --less[axis];
+      parents[i] = {static_cast<int>(std::find(e.begin(), e.end(), less) - e.begin()),
+                    static_cast<int>(axis)};
+    }
+    return parents;
+  }();
+  const Eigen::Matrix<double, Eigen::Dynamic, 3> scaled = (places.rowwise() - centre_.transpose()) / scaleMm_;
+  Products all(places.rows(), kProducts);
+  all.col(0).setOnes();
+  for (int i = 1; i < kProducts; ++i) {
+    const auto& [parent, axis] = from[static_cast<std::size_t>(i)];
+    all.col(i) = all.col(parent).cwiseProduct(scaled.col(axis));
+  }
+  return all;
+}
+
+const ElasticModes::ProductTable& ElasticModes::productTable() {
+  static const ProductTable table = [] {
+    ProductTable t;
+    const auto& e = exponents();
+    for (int a = 0; a < kMonomials; ++a)
+      for (int b = 0; b < kMonomials; ++b) {
+        const Exponents &ea = e[static_cast<std::size_t>(a)], &eb = e[static_cast<std::size_t>(b)];
+        const Exponents sum{ea[0] + eb[0], ea[1] + eb[1], ea[2] + eb[2]};
+        t(a, b) = static_cast<int>(std::find(e.begin(), e.end(), sum) - e.begin());
+      }
+    return t;
+  }();
+  return table;
 }
 
 Isometry3d ElasticModes::rigidPart(const Coefficients& u) const {

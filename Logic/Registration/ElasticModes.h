@@ -19,6 +19,13 @@ class ElasticModes {
   explicit ElasticModes(const Surface& preop, double poissonRatio = 0.47);
 
   [[nodiscard]] Monomials monomials(const Vector3d& x) const;
+  /// All 84 monomials of degree <= 6, the 20 of `monomials` first, a row for each of the N x 3 places.
+  static constexpr int kProducts = 84;
+  using Products = Eigen::Matrix<double, Eigen::Dynamic, kProducts>;
+  [[nodiscard]] Products products(const Eigen::Matrix<double, Eigen::Dynamic, 3>& places) const;
+  /// Which of the 84 the product of two of the 20 is.
+  using ProductTable = Eigen::Matrix<int, kMonomials, kMonomials>;
+  [[nodiscard]] static const ProductTable& productTable();
   [[nodiscard]] Vector3d displacement(const Coefficients& u, const Vector3d& x) const {
     return u.transpose() * monomials(x);
   }
@@ -31,8 +38,10 @@ class ElasticModes {
   [[nodiscard]] Coefficients without(const Isometry3d& rigid, const Coefficients& u) const;
   /// Root of the mean over the organ of |u|^2, mm.
   [[nodiscard]] double rootMeanSquare(const Coefficients& u) const;
-  /// Means over the organ of the products of monomials with 1, x, y, z (20 x 4) and with one another.
-  [[nodiscard]] const Eigen::Matrix<double, kMonomials, kMonomials>& products() const { return products_; }
+  /// Means over the organ of the products of the 20 monomials with one another.
+  [[nodiscard]] const Eigen::Matrix<double, kMonomials, kMonomials>& meanProducts() const {
+    return products_;
+  }
 
  private:
   Vector3d centre_ = Vector3d::Zero();

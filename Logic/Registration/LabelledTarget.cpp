@@ -15,18 +15,16 @@ LabelledTarget::LabelledTarget(const Surface& surface, const std::vector<int>& l
   }
 }
 
-Neighbour LabelledTarget::closestOfLabel(const Vector3d& query, int label) const {
-  return trees_.at(label).nearest(query);
+Neighbour LabelledTarget::closestOfLabel(const Vector3d& query, int label, int guess) const {
+  const KdTree& tree = trees_.at(label);
+  return guess < 0 ? tree.nearest(query) : tree.nearest(query, at(guess, query));
 }
 
 Neighbour LabelledTarget::closest(const Vector3d& query, int label, double weight, int guess) const {
-  const auto start = [&](int point) {
-    return Neighbour{point, squaredDistance(query, points_.row(point).transpose())};
-  };
   const auto tree = label > 0 ? trees_.find(label) : trees_.end();
-  if (tree == trees_.end()) return guess < 0 ? all_.nearest(query) : all_.nearest(query, start(guess));
+  if (tree == trees_.end()) return guess < 0 ? all_.nearest(query) : all_.nearest(query, at(guess, query));
 
-  const Neighbour own = guess >= 0 && labelOf(guess) == label ? tree->second.nearest(query, start(guess))
+  const Neighbour own = guess >= 0 && labelOf(guess) == label ? tree->second.nearest(query, at(guess, query))
                                                               : tree->second.nearest(query);
   // Eq. (III.1): another point wins only if |s - t| < w_PC d_L. Within that radius no point has label L (none
   // is nearer than d_L), so the global neighbour, if there is one, is the minimum. At equality the lower

@@ -23,10 +23,15 @@ class LabelledTarget {
   /// ties to the lowest index. `weight` is w_PC in (0, 1]. The distance returned is the real one. `guess` -1
   /// or a point that may be near.
   [[nodiscard]] Neighbour closest(const Vector3d& query, int label, double weight, int guess = -1) const;
-  /// The nearest point of `label`, which must be in use.
-  [[nodiscard]] Neighbour closestOfLabel(const Vector3d& query, int label) const;
+  /// The nearest point of `label`, which must be in use. `guess` -1 or a point of that label that may be
+  /// near.
+  [[nodiscard]] Neighbour closestOfLabel(const Vector3d& query, int label, int guess = -1) const;
 
  private:
+  [[nodiscard]] Neighbour at(int point, const Vector3d& query) const {
+    return {point, squaredDistance(query, points_.row(point).transpose())};
+  }
+
   Points points_;
   std::vector<int> labels_;
   KdTree all_;

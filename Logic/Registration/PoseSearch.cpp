@@ -17,7 +17,8 @@ namespace {
 constexpr int kPatchRotations = 72, kSurfaceRotations = 300;
 constexpr std::size_t kRefined = 12;  // at most so many poses are refined on the whole sample
 constexpr Index kQuickPoints = 150;
-constexpr int kFirstSteps = 10;  // then the worse two thirds are given up
+constexpr std::size_t kFewer = 3;  // with patches one point in so many does at first
+constexpr int kFirstSteps = 10;    // then the worse two thirds are given up
 constexpr std::size_t kPromising = 100;
 constexpr double kSameBasinMm = 10;  // poses that place the sample's box this near each other are one
 constexpr double kFacing = 0.3;      // cosine: what a scanner sees of a surface
@@ -118,18 +119,29 @@ std::vector<StartPose> startsFromPatches(const PreparedPreop& preop, const ScanS
   std::vector<StartPose> poses;
   for (const Matrix3d& rotation : rotationGrid(kPatchRotations)) poses.push_back(poseOf(rotation, from, to));
 
-  std::vector<int> labelled;
-  for (std::size_t i = 0; i < sample.labels.size(); ++i)
-    if (sample.labels[i] > 0) labelled.push_back(static_cast<int>(i));
-  const ScanSample patches = subsetOf(sample, labelled);
+  // Few points decide which poses are worth many.
+  std::vector<int> labelled, quickLabelled, quickAll;
+  for (std::size_t i = 0; i < sample.labels.size(); ++i) {
+    const int row = static_cast<int>(i);
+    if (sample.labels[i] > 0) labelled.push_back(row);
+    if (sample.labels[i] > 0 && labelled.size() % kFewer == 0) quickLabelled.push_back(row);
+    if (i % kFewer == 0) quickAll.push_back(row);
+  }
+  const ScanSample patches = subsetOf(sample, labelled), quickPatches = subsetOf(sample, quickLabelled),
+                   quick = subsetOf(sample, quickAll);
   const Points corners = boxCorners(sample.points);
   improveAll(poses, progress.part(0, 0.4), [&](StartPose& pose) {
-    alignCoarsely(preop.coarse(), patches, {1, 1, false}, 15, pose);
+    alignCoarsely(preop.coarse(), quickPatches.size() < 6 ? patches : quickPatches, {1, 1, false}, 15, pose);
     scoreCoarsely(preop.coarse(), patches, pose);
   });
   keepDistinct(poses, corners, kRefined);
-  improveAll(poses, progress.part(0.4, 1), [&](StartPose& pose) {
-    alignCoarsely(preop.coarse(), sample, {30, 1, true}, 25, pose);
+  improveAll(poses, progress.part(0.4, 0.7), [&](StartPose& pose) {
+    alignCoarsely(preop.coarse(), quick, {30, 1, true}, 15, pose);
+    scoreCoarsely(preop.coarse(), sample, pose);
+  });
+  keepDistinct(poses, corners, kRefined);
+  improveAll(poses, progress.part(0.7, 1), [&](StartPose& pose) {
+    alignCoarsely(preop.coarse(), sample, {1, 1, true}, 15, pose);
     scoreCoarsely(preop.coarse(), sample, pose);
   });
   keepDistinct(poses, corners, kRefined);

@@ -10,6 +10,7 @@ namespace falciform {
 namespace {
 
 constexpr Index kSample = 4000;
+constexpr int kLongestWalk = 20;
 
 const Surface& checked(const Surface& preop) {
   checkSurface(preop, "pre-op surface");
@@ -30,23 +31,63 @@ PreparedPreop::PreparedPreop(const Surface& preop) : surface_(checked(preop)), m
   target_ = std::make_shared<const LabelledTarget>(preop, patchLabels(preop));
 }
 
-PreparedPreop::Place PreparedPreop::placeAround(int near, const Vector3d& query) const {
+/// A place on a triangle (-1: on a point), and whether it is inside it: then no place nearby is nearer.
+struct PreparedPreop::Hit {
+  int triangle = -1;
+  bool inside = false;
+  double squaredDistance = 0;
+  Vector3d point, barycentric;
+};
+
+PreparedPreop::Hit PreparedPreop::hitOn(int triangle, const Vector3d& query) const {
   const Points& points = surface_.points;
-  Place place{points.row(near).transpose(), normals_.row(near).transpose()};
-  double least = (query - place.point).squaredNorm();
+  const auto corners = surface_.triangles.row(triangle);
+  const PlaceOnTriangle found =
+      detail::closestByRegions(query, {points.row(corners[0]).transpose(), points.row(corners[1]).transpose(),
+                                       points.row(corners[2]).transpose()});
+  return {triangle, found.part == TrianglePart::Face, found.squaredDistance, found.point, found.barycentric};
+}
+
+PreparedPreop::Hit PreparedPreop::hitAround(int near, const Vector3d& query) const {
+  Hit hit;
+  hit.point = surface_.points.row(near).transpose();
+  hit.squaredDistance = (query - hit.point).squaredNorm();
   for (const int* t = trianglesAround_.begin(near); t != trianglesAround_.end(near); ++t) {
-    const auto corners = surface_.triangles.row(*t);
-    const PlaceOnTriangle found = detail::closestByRegions(
-        query, {points.row(corners[0]).transpose(), points.row(corners[1]).transpose(),
-                points.row(corners[2]).transpose()});
-    if (!(found.squaredDistance < least)) continue;
-    least = found.squaredDistance;
-    place.point = found.point;
-    place.normal = Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) place.normal += found.barycentric[k] * normals_.row(corners[k]).transpose();
-    place.normal.normalize();
+    const Hit found = hitOn(*t, query);
+    if (found.squaredDistance < hit.squaredDistance || hit.triangle < 0) hit = found;
   }
-  return place;
+  return hit;
+}
+
+int PreparedPreop::cornerAt(const Hit& hit) const {
+  Index corner = 0;
+  hit.barycentric.maxCoeff(&corner);
+  return surface_.triangles(hit.triangle, corner);
+}
+
+PreparedPreop::Place PreparedPreop::placeOf(const Hit& hit, int near) const {
+  if (hit.triangle < 0) return {hit.point, normals_.row(near).transpose(), -1};
+  Vector3d normal = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    normal += hit.barycentric[k] * normals_.row(surface_.triangles(hit.triangle, k)).transpose();
+  return {hit.point, normal.normalized(), hit.triangle};
+}
+
+PreparedPreop::Place PreparedPreop::placeAround(int near, const Vector3d& query) const {
+  return placeOf(hitAround(near, query), near);
+}
+
+PreparedPreop::Place PreparedPreop::placeByWalk(const Place& last, int& near, const Vector3d& query) const {
+  if (last.triangle < 0) return placeAround(near, query);
+  Hit hit = hitOn(last.triangle, query);
+  int centre = -1;  // of the ring that has been seen
+  for (int step = 0; step < kLongestWalk && !hit.inside && cornerAt(hit) != centre; ++step) {
+    centre = cornerAt(hit);
+    const Hit further = hitAround(centre, query);
+    if (further.squaredDistance < hit.squaredDistance) hit = further;
+  }
+  near = cornerAt(hit);
+  return placeOf(hit, near);
 }
 
 }  // namespace falciform

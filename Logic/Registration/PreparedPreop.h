@@ -28,15 +28,26 @@ class PreparedPreop {
   /// A place of the surface and the normal there, as smooth as the points' normals make it.
   struct Place {
     Vector3d point, normal;
+    int triangle = -1;  ///< that holds it; -1: a point without triangles
   };
   /// The place nearest to `query` on the triangles around point `near`: the surface's own where `near` is the
   /// nearest point and triangles are not slivers.
   [[nodiscard]] Place placeAround(int near, const Vector3d& query) const;
+  /// The place nearest to `query` as a walk over the surface finds it from `last`, which was nearest to a
+  /// query close by: first on the triangle of `last`, then around one corner after another. `near` becomes
+  /// the corner that the place is at.
+  [[nodiscard]] Place placeByWalk(const Place& last, int& near, const Vector3d& query) const;
   [[nodiscard]] const CoarseTarget& coarse() const { return coarse_; }
   /// Rows that stand for the surface, spread at random, where a share or a mean need not be exact.
   [[nodiscard]] const std::vector<int>& sample() const { return sample_; }
 
  private:
+  struct Hit;
+  [[nodiscard]] Hit hitOn(int triangle, const Vector3d& query) const;
+  [[nodiscard]] Hit hitAround(int near, const Vector3d& query) const;
+  [[nodiscard]] int cornerAt(const Hit& hit) const;
+  [[nodiscard]] Place placeOf(const Hit& hit, int near) const;
+
   Surface surface_;
   Points normals_;
   VectorXd areas_;

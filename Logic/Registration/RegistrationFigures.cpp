@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <map>
+#include <numeric>
 
 #include "Logic/Core/Parallel.h"
 #include "Logic/Geometry/Measures.h"
@@ -17,17 +20,29 @@ constexpr double kFailedRmsMm = 5;  // the thesis calls a clinical registration 
 constexpr double kExpectedMm = 4;   // mean over the organ; a target error of 5 mm is a failure (ch. III)
 constexpr double kPatchRmsMm = 8;   // its feature errors of good registrations stay below this (Table III.3)
 
-/// Distances of all scan points to the pre-op surface's points, real mm.
-std::vector<double> residuals(const PreparedPreop& preop, const Points& moved) {
-  std::vector<double> distances(static_cast<std::size_t>(moved.rows()));
-  forEachChunk(distances.size(), 512, [&](std::size_t begin, std::size_t end) {
+/// A scan point's squared distances, mm^2: to the nearest pre-op point and to that of its own label (infinite
+/// where it has none or the surface has not).
+struct Residual {
+  double squared = 0, own = std::numeric_limits<double>::infinity();
+  int label = 0;  ///< of the nearest pre-op point
+};
+
+std::vector<Residual> residualsOf(const PreparedPreop& preop, const Surface& scan, const Points& moved) {
+  const LabelledTarget& target = preop.target();
+  std::vector<Residual> residuals(static_cast<std::size_t>(moved.rows()));
+  forEachChunk(residuals.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vector3d place = moved.row(static_cast<Index>(i)).transpose();
-      const int guess = preop.coarse().rowNear(place.cast<float>());
-      distances[i] = std::sqrt(preop.target().closest(place, 0, 1, guess).squaredDistance);
+      const Neighbour near = target.closest(place, 0, 1, preop.coarse().rowNear(place.cast<float>()));
+      Residual& r = residuals[i];
+      r.squared = near.squaredDistance;
+      r.label = target.labelOf(near.index);
+      const int label = scan.patchAt(static_cast<Index>(i));
+      if (label > 0 && target.has(label))
+        r.own = r.label == label ? r.squared : target.closestOfLabel(place, label).squaredDistance;
     }
   });
-  return distances;
+  return residuals;
 }
 
 double coveredShare(const PreparedPreop& preop, const KdTree& scanTree, const Isometry3d& scanFromPreop) {
@@ -59,42 +74,39 @@ std::string mm(double value) {
 void fillFigures(RegistrationResult& result, const PreparedPreop& preop, const Surface& scan,
                  const KdTree& scanTree, const LabelledSource& source, const RegistrationSettings& settings,
                  const Isometry3d& scanFromPreopStart) {
-  const LabelledTarget& target = preop.target();
-  const Points moved = transformed(scan.points, result.scanFromPreop.inverse());
-  std::vector<double> distances = residuals(preop, moved);
+  const std::vector<Residual> residuals =
+      residualsOf(preop, scan, transformed(scan.points, result.scanFromPreop.inverse()));
   const double lastWeight = result.history.empty() ? 1 : result.history.back().patchWeight;
-  double squared = 0, sum = 0, weighted = 0, weights = 0;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    squared += distances[i] * distances[i];
-    sum += distances[i];
+  const double ratio = settings.correspondenceWeight * settings.correspondenceWeight;
+  double squared = 0, weighted = 0, weights = 0;
+  std::vector<double> distances;
+  distances.reserve(residuals.size());
+  std::map<int, std::pair<double, double>> patches;  // sum of squares and count by label
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const Residual& r = residuals[i];
+    squared += r.squared;
+    distances.push_back(std::sqrt(r.squared));
     const int label = source.labels[i];
-    const double biased = label == 0 ? distances[i] * distances[i]
-                                     : target
-                                           .closest(moved.row(static_cast<Index>(i)).transpose(), label,
-                                                    settings.correspondenceWeight)
-                                           .squaredDistance;
     const double weight = label > 0 ? lastWeight : 1;
-    weighted += weight * biased;
+    // Eq. (III.1): a point of another label only where it is nearer by far.
+    const bool other = label == 0 || (r.label != label && r.squared < ratio * r.own);
+    weighted += weight * (other ? r.squared : r.own);
     weights += weight;
+    if (std::isinf(r.own)) continue;
+    // Feature errors of every label both sides have, whether the method used it or not, as the thesis's
+    // tables show them.
+    auto& [sum, count] = patches[scan.patchAt(static_cast<Index>(i))];
+    sum += r.own;
+    ++count;
   }
-  const auto n = static_cast<double>(distances.size());
+  const auto n = static_cast<double>(residuals.size());
   result.rmsMm = std::sqrt(squared / n);
   result.weightedRmsMm = std::sqrt(weighted / weights);
-  result.meanMm = sum / n;
+  result.meanMm = std::accumulate(distances.begin(), distances.end(), 0.0) / n;
   const auto p95 = distances.begin() + static_cast<std::ptrdiff_t>(0.95 * (n - 1));
   std::nth_element(distances.begin(), p95, distances.end());
   result.p95Mm = *p95;
-
-  // Feature errors of every label both sides have, whether the method used it or not, as the thesis's tables
-  // show them.
-  for (const int label : patchLabels(scan)) {
-    if (!target.has(label)) continue;
-    double patchSquared = 0;
-    const std::vector<int> ids = pointsOfPatch(scan, label);
-    for (const int i : ids)
-      patchSquared += target.closestOfLabel(moved.row(i).transpose(), label).squaredDistance;
-    result.patchRmsMm[label] = std::sqrt(patchSquared / static_cast<double>(ids.size()));
-  }
+  for (const auto& [label, sums] : patches) result.patchRmsMm[label] = std::sqrt(sums.first / sums.second);
   result.coverage = coveredShare(preop, scanTree, result.scanFromPreop);
   const Isometry3d change = result.scanFromPreop * scanFromPreopStart.inverse();
   result.rotationDeg = Eigen::AngleAxisd(change.linear()).angle() * 180 / EIGEN_PI;

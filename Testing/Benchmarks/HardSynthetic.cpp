@@ -53,12 +53,12 @@ void printRow(const std::string& name, const Tally& t, bool warns) {
 
 }  // namespace
 
-void printHardSynthetic(int cases, bool details) {
+void printHardSynthetic(int first, int cases, bool details) {
   const std::vector<OurMethod> methods = ourMethods();
   std::vector<Tally> ours(methods.size());
   [[maybe_unused]] Tally ransac, fgr;
   std::vector<double> optimal, coverage;
-  for (int seed = 1; seed <= cases; ++seed) {
+  for (int seed = first; seed < first + cases; ++seed) {
     const BenchCase c = [&] {
       const BentLiver liver(seed, kBendingMm, kEdgeMm);
       return liver.seen(liver.aim(kVisible), kNoiseMm, 2);

@@ -1,6 +1,6 @@
 // Success and warnings against what goes wrong: wrong labels, outliers, little to see, noise; and the hard
 // synthetic beside Open3D. Prints the tables and writes the curves of Docs/Performance.md.
-//   ./run bench robustness [--cases N] [--svg FILE] [--details] [--hard-only]
+//   ./run bench robustness [--cases N] [--first SEED] [--svg FILE] [--details] [--hard-only]
 
 #include <cstdio>
 #include <cstdlib>
@@ -66,9 +66,13 @@ std::vector<Sweep> sweeps() {
   };
 }
 
-Outcome run(const BenchCase& c, const PreparedPreop& preop, const OurMethod& method) {
+Outcome run(const BenchCase& c, const PreparedPreop& preop, const OurMethod& method, bool details) {
   const RegistrationResult result = registerSurfaces(preop, c.scan, method.settings);
   const double apart = apartFromBestMm(c, result.scanFromPreop);
+  if (details)
+    std::printf("# %s, %s: error %.2f (optimal %.2f), apart %.2f, expected %.2f, warnings %zu\n",
+                c.name.c_str(), method.name.c_str(), targetErrorMm(c, result.scanFromPreop), c.optimalMm,
+                apart, result.expectedErrorMeanMm, result.warnings.size());
   return {targetErrorMm(c, result.scanFromPreop),
           apart,
           apart < kRightMm,
@@ -95,7 +99,7 @@ void printSweep(const Sweep& sweep, const std::vector<OurMethod>& methods,
   std::fflush(stdout);
 }
 
-std::vector<CurvePanel> runSweeps(int cases) {
+std::vector<CurvePanel> runSweeps(int first, int cases, bool details) {
   const std::vector<OurMethod> methods = ourMethods();
   const std::vector<Sweep> all = sweeps();
   // [sweep][value][method]
@@ -105,7 +109,7 @@ std::vector<CurvePanel> runSweeps(int cases) {
     tallies.emplace_back(sweep.values.size(), std::vector<Tally>(methods.size()));
     coverage.emplace_back(sweep.values.size(), 0.0);
   }
-  for (int seed = 1; seed <= cases; ++seed) {
+  for (int seed = first; seed < first + cases; ++seed) {
     const BentLiver liver(seed, kBendingMm, kEdgeMm);
     const PreparedPreop preop(liver.preop());
     Usual usual{liver, liver.aim(kUsualShare), {}, static_cast<std::uint64_t>(seed)};
@@ -114,7 +118,9 @@ std::vector<CurvePanel> runSweeps(int cases) {
       for (std::size_t v = 0; v < all[s].values.size(); ++v) {
         const BenchCase c = all[s].make(usual, all[s].values[v]);
         coverage[s][v] += c.coverage / cases;
-        for (std::size_t m = 0; m < methods.size(); ++m) tallies[s][v][m].add(run(c, preop, methods[m]));
+        if (details) std::printf("# %s %g\n", all[s].axis.c_str(), all[s].values[v]);
+        for (std::size_t m = 0; m < methods.size(); ++m)
+          tallies[s][v][m].add(run(c, preop, methods[m], details));
       }
   }
   std::vector<CurvePanel> panels;
@@ -139,12 +145,14 @@ std::vector<CurvePanel> runSweeps(int cases) {
 
 int main(int argc, char** argv) {
   using namespace falciform::bench;
-  int cases = 25;
+  int cases = 25, first = 1;
   const char* svg = nullptr;
   bool details = false, hardOnly = false;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--cases") == 0 && i + 1 < argc)
       cases = std::atoi(argv[++i]);
+    else if (std::strcmp(argv[i], "--first") == 0 && i + 1 < argc)
+      first = std::atoi(argv[++i]);
     else if (std::strcmp(argv[i], "--svg") == 0 && i + 1 < argc)
       svg = argv[++i];
     else if (std::strcmp(argv[i], "--details") == 0)
@@ -154,18 +162,20 @@ int main(int argc, char** argv) {
     else
       cases = 0;
   }
-  if (cases < 1) {
-    std::fputs("bench-robustness [--cases N] [--svg FILE] [--details] [--hard-only]; N is at least 1\n",
-               stderr);
+  if (cases < 1 || first < 1) {
+    std::fputs(
+        "bench-robustness [--cases N] [--first SEED] [--svg FILE] [--details] [--hard-only]; N and SEED are "
+        "at least 1\n",
+        stderr);
     return 2;
   }
-  printHardSynthetic(cases, details);
+  printHardSynthetic(first, cases, details);
   if (hardOnly) return 0;
   std::printf(
       "Below: %d livers, %.0f mm RMS bending, 0.5 mm noise, 30 %% visible where nothing else is said. Right: "
       "targets within "
       "%.0f mm of where the best rigid motion puts them, on average. Silent: wrong and no warning.\n\n",
       cases, kBendingMm, kRightMm);
-  const std::vector<CurvePanel> panels = runSweeps(cases);
+  const std::vector<CurvePanel> panels = runSweeps(first, cases, details);
   if (svg) std::ofstream(svg) << curvesSvg(panels, "right", "right, or wrong with a warning");
 }
