@@ -5,6 +5,7 @@
 
 #include "Logic/Core/Errors.h"
 #include "Logic/Core/Parallel.h"
+#include "Logic/Registration/RegistrationFigures.h"
 #include "Logic/Registration/RegistrationLogic.h"
 #include "Testing/Logic/Registration/PartialScan.h"
 
@@ -109,6 +110,20 @@ TEST(SurfaceRegistration, WarnsWhenItShouldNotBeTrusted) {
   icp.method = RegistrationMethod::Icp;
   EXPECT_THAT(registerSurfaces(body, scan, icp).warnings,
               testing::Contains(HasSubstr("no patches were used")));
+}
+
+TEST(SurfaceRegistration, WarnsOfAnExpectedErrorThatOftenIsAFailure) {
+  const Surface body = lumpyBody(3);
+  RegistrationSettings bare;
+  bare.method = RegistrationMethod::Auto;
+  RegistrationResult result;
+  result.converged = true;
+  result.coverage = 0.3;
+  result.expectedErrorMeanMm = 2.9;
+  EXPECT_THAT(registrationWarnings(result, body, body, bare), testing::IsEmpty());
+  result.expectedErrorMeanMm = 3.1;
+  EXPECT_THAT(registrationWarnings(result, body, body, bare),
+              testing::ElementsAre(HasSubstr("expected target error is 3.1 mm")));
 }
 
 TEST(SurfaceRegistration, RefusesBadInputInOneLine) {
