@@ -24,6 +24,7 @@ NextStep nextStep(const Case& document) {
              *deformation = "DeformationAnalysis", *update = "AtlasUpdate";
   if (!document.preop())
     return document.labels() ? NextStep{tr("tick what is liver, and import its surface"), import, {}}
+           : document.ct()   ? NextStep{tr("place seeds in the CT's liver, and segment it"), import, {}}
                              : NextStep{tr("open a label map, CT or liver surface"), import, {}};
   if (!document.scan()) return {tr("open the scan: drop its file on the window"), import, {}};
   const bool registered = document.registration() && !document.registrationStale();

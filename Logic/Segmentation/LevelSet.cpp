@@ -78,7 +78,14 @@ Image speedOf(const Stage& stage, double reachMm) {
   return speed;
 }
 
-void evolve(Stage& stage, const LevelSetSettings& settings, int rounds, const Progress& progress) {
+Mask maskOf(const Image& phi) {
+  Mask mask = sameGrid<std::uint8_t>(phi, 0);
+  for (std::size_t i = 0; i < phi.voxels.size(); ++i) mask.voxels[i] = phi.voxels[i] < 0;
+  return mask;
+}
+
+void evolve(Stage& stage, const LevelSetSettings& settings, int rounds, const Progress& progress,
+            const LevelSetPreview& preview) {
   LevelSetFront front(stage.phi, {.curvature = settings.curvature, .patienceMm = settings.patienceMm});
   for (int round = 0; round < rounds; ++round) {
     if (round > 0)
@@ -86,7 +93,9 @@ void evolve(Stage& stage, const LevelSetSettings& settings, int rounds, const Pr
     const Image speed = speedOf(stage, settings.reachMm);
     for (int step = 0; step < kSteps; ++step) {
       progress.report((round + static_cast<double>(step) / kSteps) / rounds, "Moving the front");
-      if (front.advance(speed) < kAtRest) break;
+      const bool atRest = front.advance(speed) < kAtRest;
+      if (preview) preview(maskOf(front.phi()));
+      if (atRest) break;
     }
     stage.phi = front.phi();
   }
@@ -156,12 +165,6 @@ Stage finerStage(const Stage& coarse, PyramidLevel level, const LevelSetSettings
     stage.tissues.push_back(std::move(tissue));
   }
   return stage;
-}
-
-Mask maskOf(const Image& phi) {
-  Mask mask = sameGrid<std::uint8_t>(phi, 0);
-  for (std::size_t i = 0; i < phi.voxels.size(); ++i) mask.voxels[i] = phi.voxels[i] < 0;
-  return mask;
 }
 
 /// Keeps the pieces that hold a seed or something to go on from, or else the largest.
@@ -274,7 +277,7 @@ LevelSetResult segmentLevelSet(const LevelSetInput& input, const LevelSetSetting
       stage.kept = shareOf(input.start, stage.level);
       stage.forbidden = shareOf(input.forbidden, stage.level);
     }
-    evolve(stage, settings, f == 0 ? kCoarseRounds : 1, progress.part(from, to));
+    evolve(stage, settings, f == 0 ? kCoarseRounds : 1, progress.part(from, to), preview);
     Mask mask = maskOf(stage.phi);
     keepSeeded(mask, onLevel(stage.level), stage.kept);
     if (preview) preview(mask);

@@ -43,8 +43,8 @@ struct LevelSetResult {
   std::vector<std::string> warnings;
 };
 
-/// Gets the organ as it stands now, on a coarser grid, after the first growth and after each level. Called
-/// on the thread that computes.
+/// Gets the organ as it stands now, on a coarser grid, after the first growth, each time step and each level.
+/// Called on the thread that computes.
 using LevelSetPreview = std::function<void(const Mask& soFar)>;
 
 /// Segments an organ of even brightness from a few clicks (thesis ch. II, Eq. II.1): the tissue's statistics

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "Logic/Core/Errors.h"
+#include "Logic/Segmentation/StructureImport.h"
 
 namespace falciform {
 
@@ -23,6 +24,25 @@ std::function<SurfaceImportResult(const Progress&)> SegmentationImportLogic::pre
 void SegmentationImportLogic::accept(SurfaceImportResult result) {
   last_ = std::move(result);
   case_.setPreop(std::make_shared<Surface>(last_.surface));
+}
+
+std::function<std::map<std::string, Surface>(const Progress&)> SegmentationImportLogic::prepareStructures()
+    const {
+  if (const std::string missing = missingInput(); !missing.empty()) throw InputError(missing);
+  return [labels = case_.labels(), wanted = structures](const Progress& progress) {
+    std::map<std::string, Surface> surfaces;
+    for (const auto& [label, name] : wanted) {
+      progress.report(static_cast<double>(surfaces.size()) / static_cast<double>(wanted.size()),
+                      "Vessels and tumours");
+      surfaces[name] = structureSurface(*labels, label);
+    }
+    return surfaces;
+  };
+}
+
+void SegmentationImportLogic::acceptStructures(std::map<std::string, Surface> surfaces) {
+  for (auto& [name, surface] : surfaces)
+    case_.setStructure(name, std::make_shared<const Surface>(std::move(surface)));
 }
 
 const Surface& SegmentationImportLogic::run(const Progress& progress) {

@@ -194,13 +194,19 @@ SurfaceImportResult importSurface(const LabelMap& map, const SurfaceImportSettin
   surface = smoothed(surface, settings, result);
 
   if (settings.edgeLengthMm > 0) {
-    surface = remeshIsotropic(surface, settings.edgeLengthMm, 6, progress.part(0.6, 0.95));
+    surface = remeshIsotropic(surface, settings.edgeLengthMm, 6, progress.part(0.6, 0.9));
     restoreVolume(surface, result.voxelVolumeMm3);
   }
 
-  progress.report(0.95, "Checking the surface");
+  progress.report(0.9, "Checking the surface");
   result.surface = std::move(surface);
   checkResult(result);
+  result.quality = measureQuality(result.surface, mask);
+  if (const Index pairs = result.quality.crossings; pairs > 0)
+    result.warnings.push_back(text("the surface cuts through itself at ", pairs,
+                                   pairs == 1 ? " pair" : " pairs",
+                                   " of triangles: smooth less, or choose "
+                                   "another edge length"));
   progress.report(1, "Surface ready");
   return result;
 }

@@ -7,6 +7,7 @@
 #include "Logic/Core/Surface.h"
 #include "Logic/Core/Volume.h"
 #include "Logic/Geometry/Topology.h"
+#include "Logic/Segmentation/SurfaceQuality.h"
 
 namespace falciform {
 
@@ -43,6 +44,7 @@ void describe(SurfaceImportSettings& s, Visitor&& field) {
 struct SurfaceImportResult {
   Surface surface;  ///< closed manifold, LPS mm, triangles outwards
   TopologyReport topology;
+  SurfaceQuality quality;     ///< beside the voxels it was made of
   double voxelVolumeMm3 = 0;  ///< selected voxels (after component and cavities) x voxel volume
   double surfaceVolumeMm3 = 0;
   std::size_t selectedVoxels = 0, droppedVoxels = 0, filledVoxels = 0;

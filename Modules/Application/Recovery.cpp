@@ -56,19 +56,22 @@ void Recovery::keep() {
     lock_->setStaleLockTime(0);
     if (!lock_->tryLock(0)) return;
   }
-  auto copy = std::make_shared<Case>(bench_.document);
-  copy->setCt(nullptr);  // large, and still where they were read from
-  copy->setLabels(nullptr);
+  auto copy = std::make_shared<Case>();
+  copy->adopt(bench_.document);  // a copy would tell the document's listeners of what is taken out of it here
+  copy->setCt(nullptr);          // large, and still where they were read from
+  const bool ownLabels = bench_.document.labels() && !bench_.files.labelsAreAsRead();
+  if (!ownLabels) copy->setLabels(nullptr);
   nlohmann::json state{{"name", bench_.document.name()},
                        {"time", QDateTime::currentDateTime().toString(Qt::ISODate).toStdString()}};
   const QString home = caseFolder ? caseFolder() : QString();
   if (!home.isEmpty()) state["case_folder"] = home.toStdString();
   for (const auto& [role, file] : bench_.files.sources())
-    state[role == FileRole::Ct ? "ct" : "labels"] = std::filesystem::absolute(file).string();
+    if (role == FileRole::Ct || !ownLabels)
+      state[role == FileRole::Ct ? "ct" : "labels"] = std::filesystem::absolute(file).string();
   if (!home.isEmpty())
     for (const auto& [key, file, there] :
          {std::tuple{"ct", "/ct.nii.gz", bench_.document.ct() != nullptr},
-          std::tuple{"labels", "/labels.nii.gz", bench_.document.labels() != nullptr}})
+          std::tuple{"labels", "/labels.nii.gz", bench_.document.labels() != nullptr && !ownLabels}})
       if (there && !state.contains(key) && QFile::exists(home + file))
         state[key] = (home + file).toStdString();
   const nlohmann::json view = bench_.files.viewToSave ? bench_.files.viewToSave() : nlohmann::json();

@@ -24,7 +24,11 @@ nlohmann::json toJson(const SurfaceImportResult& result) {
           {"surface_volume_mm3", result.surfaceVolumeMm3},
           {"voxel_volume_mm3", result.voxelVolumeMm3},
           {"area_mm2", area(result.surface)},
-          {"mean_edge_mm", meanEdgeLength(result.surface)},
+          {"mean_edge_mm", result.quality.meanEdgeMm},
+          {"self_crossings", result.quality.crossings},
+          {"mean_distance_to_mask_mm", result.quality.meanMm},
+          {"p95_distance_to_mask_mm", result.quality.p95Mm},
+          {"max_distance_to_mask_mm", result.quality.maxMm},
           {"selected_voxels", result.selectedVoxels},
           {"dropped_voxels", result.droppedVoxels},
           {"filled_voxels", result.filledVoxels}};

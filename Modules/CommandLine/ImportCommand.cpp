@@ -1,4 +1,3 @@
-#include "Logic/Geometry/Measures.h"
 #include "Logic/IO/SurfaceFiles.h"
 #include "Logic/Segmentation/SurfaceImport.h"
 #include "Modules/CommandLine/Commands.h"
@@ -31,6 +30,10 @@ void declare(Syntax& syntax) {
   syntax.rename("labels", "label");
   syntax.addResult({"surface_volume_mm3", "Enclosed volume", "mm3"});
   syntax.addResult({"mean_edge_mm", "Mean edge length", "mm"});
+  syntax.addResult({"mean_distance_to_mask_mm", "Mean distance to the mask", "mm"});
+  syntax.addResult({"p95_distance_to_mask_mm", "95 % of the distances to the mask", "mm"});
+  syntax.addResult({"max_distance_to_mask_mm", "Largest distance to the mask", "mm"});
+  syntax.addResult({"self_crossings", "Triangles that cut through each other", "pairs"});
 }
 
 void execute(const ParsedArguments& arguments, CommandRun& run) {
@@ -55,7 +58,10 @@ void execute(const ParsedArguments& arguments, CommandRun& run) {
   run.writeSidecar(sidecarOf(out));
   run.say(out.string() + ": " + std::to_string(result.surface.size()) + " points, " +
           describeTopology(result.topology) + ", " + fixed(result.surfaceVolumeMm3 / 1000, 1) +
-          " ml, mean edge " + fixed(meanEdgeLength(result.surface), 2) + " mm");
+          " ml, mean edge " + fixed(result.quality.meanEdgeMm, 2) + " mm, from the mask " +
+          fixed(result.quality.meanMm, 2) + " mm on average, 95 % within " + fixed(result.quality.p95Mm, 2) +
+          ", at most " + fixed(result.quality.maxMm, 2) + " mm, " + std::to_string(result.quality.crossings) +
+          " self-crossings");
 }
 
 }  // namespace

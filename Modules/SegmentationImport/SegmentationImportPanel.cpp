@@ -1,75 +1,41 @@
 #include "Modules/SegmentationImport/SegmentationImportPanel.h"
 
+#include <QColorDialog>
 #include <QFileDialog>
+#include <QGroupBox>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "Modules/SegmentationImport/QualityTable.h"
+#include "Modules/SegmentationImport/SegmentationBox.h"
 #include "Modules/SegmentationImport/SeriesChooser.h"
 #include "Widgets/Forms/SettingsForm.h"
 
 namespace falciform {
-namespace {
-
-enum Column { kLabel, kVoxels, kVolume };
-
-QTableWidgetItem* numberItem(const QString& text) {
-  auto* item = new QTableWidgetItem(text);
-  item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  item->setFlags(Qt::ItemIsEnabled);
-  return item;
-}
-
-}  // namespace
 
 SegmentationImportPanel::SegmentationImportPanel(Workbench& workbench, QWidget* parent)
-    : ModulePanel(
-          workbench,
-          tr("Turns the liver of a label map into a closed surface, or takes a surface that exists already."),
-          parent),
+    : ModulePanel(workbench,
+                  tr("Grows the liver in a CT from a few clicks, and turns the liver of a label map into a "
+                     "closed surface; or takes a surface that exists already."),
+                  parent),
       logic_(document()),
-      table_(new QTableWidget(0, 3, this)),
-      import_(new QPushButton(tr("Import"), this)) {
+      counting_(workbench.runner.mode()) {
   addOpenButtons();
-
-  auto* labels = addGroup(tr("Labels that are liver"));
-  mapFacts_ = wrappedLabel("mapFacts", this);
-  labels->addWidget(mapFacts_);
-  table_->setObjectName("labelTable");
-  table_->setHorizontalHeaderLabels({tr("Label"), tr("Voxels"), tr("Volume, ml")});
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  table_->verticalHeader()->hide();
-  table_->setSelectionMode(QAbstractItemView::NoSelection);
-  table_->setMinimumHeight(150);
-  table_->setToolTip(
-      tr("Values found in the label map with their number of voxels; tick those that are liver.\n"
-         "None ticked means all. Range: 1 to 65535"));
-  labels->addWidget(table_);
-
-  auto* settings = addGroup(tr("Surface"));
-  form_ = new SettingsForm(logic_.settings, {"edgeLengthMm"}, {"labels"}, this);
-  form_->setObjectName("importSettings");
-  settings->addWidget(form_);
-
-  import_->setObjectName("import");
-  import_->setToolTip(
-      tr("Make the surface from the ticked labels; replaces the case's pre-operative surface"));
-  column()->addWidget(import_);
-  missing_ = wrappedLabel("missing", this);
-  column()->addWidget(missing_);
-  result_ = wrappedLabel("importResult", this);
-  column()->addWidget(result_);
-  warnings_ = wrappedLabel("warnings", this);
-  column()->addWidget(warnings_);
-  showWarnings(warnings_, {});
-
-  connect(table_, &QTableWidget::itemChanged, this, &SegmentationImportPanel::readTicks);
-  connect(import_, &QPushButton::clicked, this, &SegmentationImportPanel::import);
-  countWanted_ = document().labels() != nullptr;
+  auto* column = addGroup(tr("Segment the CT"));
+  segmentationGroup_ = qobject_cast<QGroupBox*>(column->parentWidget());
+  segmentation_ = new SegmentationBox(workbench, this);
+  segmentation_->setObjectName("segmentation");
+  column->addWidget(segmentation_);
+  addLabels();
+  addSurface();
+  connect(segmentation_, &SegmentationBox::changing, this, [this](bool fresh) { ownChange_ = fresh; });
+  connect(segmentation_, &SegmentationBox::changed, this, [this] { ownChange_.reset(); });
+  connect(&counting_, &LatestRunner::failed, this, [this](const QString& why) { bench().log.error(why); });
+  viewChanged_ =
+      bench().view.changed.connect([this] { table_->setColours(bench().view.options().labelColours); });
+  labelsChanged();
   start();
 }
 
@@ -85,42 +51,121 @@ void SegmentationImportPanel::addOpenButtons() {
   openFolder->setObjectName("openDicom");
   openFolder->setToolTip(tr(
       "A folder as the scanner's archive exports it: CT, masks or DICOM SEG; of several series you choose"));
+  auto* openCt = new QPushButton(tr("Open CT…"), this);
+  openCt->setObjectName("openCt");
+  openCt->setToolTip(tr("NIfTI, NRRD or MetaImage in Hounsfield units"));
+  auto* second = new QHBoxLayout;
   row->addWidget(openFolder);
-  row->addWidget(openMap);
-  row->addWidget(openSurface);
+  row->addWidget(openCt);
+  second->addWidget(openMap);
+  second->addWidget(openSurface);
   column()->addLayout(row);
+  column()->addLayout(second);
   connect(openFolder, &QPushButton::clicked, this, [this] {
     const QString folder = QFileDialog::getExistingDirectory(this, tr("Open DICOM folder"));
     if (!folder.isEmpty()) openDicom(bench(), folder.toStdString(), this);
   });
-  connect(openMap, &QPushButton::clicked, this, [this] {
-    const QString file =
-        askForFile(tr("Open label map"), tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd)"));
-    if (!file.isEmpty()) bench().files.open(file.toStdString(), FileRole::Labels);
-  });
-  connect(openSurface, &QPushButton::clicked, this, [this] {
-    const QString file = askForFile(tr("Open liver surface"), tr("Surfaces (*.vtp *.vtk *.stl *.ply *.obj)"));
-    if (!file.isEmpty()) bench().files.open(file.toStdString(), FileRole::Preop);
-  });
+  const QString volumes = "(*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd)";
+  const auto opens = [this](QPushButton* button, const QString& title, const QString& filter, FileRole role) {
+    connect(button, &QPushButton::clicked, this, [this, title, filter, role] {
+      const QString file = askForFile(title, filter);
+      if (!file.isEmpty()) bench().files.open(file.toStdString(), role);
+    });
+  };
+  opens(openCt, tr("Open CT"), tr("CT volumes ") + volumes, FileRole::Ct);
+  opens(openMap, tr("Open label map"), tr("Label maps ") + volumes, FileRole::Labels);
+  opens(openSurface, tr("Open liver surface"), tr("Surfaces (*.vtp *.vtk *.stl *.ply *.obj)"),
+        FileRole::Preop);
+}
+
+void SegmentationImportPanel::addLabels() {
+  auto* labels = addGroup(tr("Labels"));
+  mapFacts_ = wrappedLabel("mapFacts", this);
+  labels->addWidget(mapFacts_);
+  table_ = new LabelTable(this);
+  labels->addWidget(table_);
+  connect(table_, &LabelTable::edited, this, &SegmentationImportPanel::readTable);
+  connect(table_, &LabelTable::paintLabelChanged, segmentation_, &SegmentationBox::setPaintLabel);
+  connect(table_, &LabelTable::colourWanted, this, &SegmentationImportPanel::chooseColour);
+}
+
+void SegmentationImportPanel::addSurface() {
+  auto* settings = addGroup(tr("Surface"));
+  form_ = new SettingsForm(logic_.settings, {"edgeLengthMm"}, {"labels"}, this);
+  form_->setObjectName("importSettings");
+  settings->addWidget(form_);
+  preview_ = new QPushButton(tr("Preview"), this);
+  preview_->setObjectName("previewSurface");
+  preview_->setToolTip(tr("Make the surface and show it with its quality; the case stays as it is"));
+  import_ = new QPushButton(tr("Import"), this);
+  import_->setObjectName("import");
+  import_->setToolTip(
+      tr("Make the surface from the ticked labels, or take the one that is previewed; replaces the case's "
+         "pre-operative surface"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(preview_, 1);
+  row->addWidget(import_, 1);
+  column()->addLayout(row);
+  missing_ = wrappedLabel("missing", this);
+  column()->addWidget(missing_);
+  result_ = wrappedLabel("importResult", this);
+  column()->addWidget(result_);
+  quality_ = new QualityTable(this);
+  column()->addWidget(quality_);
+  warnings_ = wrappedLabel("warnings", this);
+  column()->addWidget(warnings_);
+  showWarnings(warnings_, {});
+  connect(form_, &SettingsForm::edited, this, [this] { dropPreview(); });
+  connect(preview_, &QPushButton::clicked, this, &SegmentationImportPanel::preview);
+  connect(import_, &QPushButton::clicked, this, &SegmentationImportPanel::import);
 }
 
 void SegmentationImportPanel::enter() {
+  onScreen_ = true;
   bench().view.edit([](ViewOptions& options) {
     options.arrangement = Arrangement::PreopOnly;
     options.distanceShown = false;
   });
+  arrangeViews();
+  segmentation_->enter();
+  showPreview();
+}
+
+void SegmentationImportPanel::leave() {
+  onScreen_ = false;
+  segmentation_->leave();
+  bench().view.edit([](ViewOptions& options) { options.slicesShown = options.slicesLarge = false; });
+}
+
+/// Slices to work in, where there is something to cut.
+void SegmentationImportPanel::arrangeViews() {
+  if (!onScreen_) return;
+  const bool slices = document().ct() || document().labels();
+  bench().view.edit([slices](ViewOptions& options) { options.slicesShown = options.slicesLarge = slices; });
 }
 
 void SegmentationImportPanel::caseChanged(Case::Part part) {
-  if (part == Case::Part::Labels) {
-    fillTable({});
-    countWanted_ = document().labels() != nullptr;
-    logic_.settings.labels.clear();
-  }
+  if (part == Case::Part::Labels) labelsChanged();
+  if (part == Case::Part::Ct) segmentation_->forget();
+  if (part == Case::Part::Labels || part == Case::Part::Ct) arrangeViews();
   if (part == Case::Part::Preop && !document().preop()) {
     result_->clear();
+    quality_->clearResult();
     showWarnings(warnings_, {});
   }
+}
+
+void SegmentationImportPanel::labelsChanged() {
+  dropPreview();
+  if (!ownChange_) names_ = bench().files.labelNames();
+  if (ownChange_.value_or(false)) names_.clear();
+  if (ownChange_.value_or(true)) {
+    table_->forget();
+    logic_.settings.labels.clear();
+    logic_.structures.clear();
+  }
+  if (!ownChange_ || !document().labels()) table_->setCounts({}, 0, {});
+  countLabels();
 }
 
 void SegmentationImportPanel::refresh() {
@@ -136,76 +181,110 @@ void SegmentationImportPanel::refresh() {
   } else {
     mapFacts_->setText(tr("No label map is open."));
   }
+  segmentationGroup_->setVisible(document().ct() || document().labels());
+  segmentation_->refresh();
   showReadiness(import_, missing_, logic_.missingInput());
-  if (countWanted_ && !bench().runner.busy()) countLabels();
+  preview_->setEnabled(import_->isEnabled());
 }
 
 void SegmentationImportPanel::countLabels() {
-  countWanted_ = false;
   const auto labels = document().labels();
-  bench().runner.start(
-      tr("Counting labels"),
-      [labels](const Progress& progress) {
-        progress.report(0, "counting labels");
-        return labelCounts(*labels);
-      },
-      [this, labels](const std::vector<std::pair<int, std::size_t>>& counts) {
-        if (document().labels() == labels) fillTable(counts);
-      },
-      // Stopped by the user, or by the next file: counted again at the next opportunity only if still the
-      // same map.
-      {});
+  if (!labels) return counting_.drop();
+  counting_.submit([labels] { return labelCounts(*labels); },
+                   [this, labels](const LabelTable::Counts& counts) {
+                     if (document().labels() != labels) return;
+                     table_->setCounts(counts, labels->voxelVolume() / 1000, names_);
+                     logic_.structures = table_->structures();
+                   });
 }
 
-void SegmentationImportPanel::fillTable(const std::vector<std::pair<int, std::size_t>>& counts) {
-  const QSignalBlocker quiet(table_);
-  table_->setRowCount(static_cast<int>(counts.size()));
-  const double voxelMl = document().labels() ? document().labels()->voxelVolume() / 1000 : 0;
-  for (int row = 0; row < table_->rowCount(); ++row) {
-    const auto& [label, voxels] = counts[static_cast<std::size_t>(row)];
-    auto* tick = new QTableWidgetItem(QString::number(label));
-    tick->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
-    tick->setCheckState(Qt::Checked);
-    tick->setData(Qt::UserRole, label);
-    table_->setItem(row, kLabel, tick);
-    table_->setItem(row, kVoxels, numberItem(QString("%L1").arg(voxels)));
-    table_->setItem(row, kVolume, numberItem(QString::number(static_cast<double>(voxels) * voxelMl, 'f', 1)));
-  }
-}
-
-void SegmentationImportPanel::readTicks() {
-  std::vector<int> ticked;
-  for (int row = 0; row < table_->rowCount(); ++row)
-    if (table_->item(row, kLabel)->checkState() == Qt::Checked)
-      ticked.push_back(table_->item(row, kLabel)->data(Qt::UserRole).toInt());
-  // All is said by an empty list, which also holds for the next label map.
-  const bool all = static_cast<int>(ticked.size()) == table_->rowCount();
-  logic_.settings.labels = all ? std::vector<int>{} : ticked;
+void SegmentationImportPanel::readTable() {
+  dropPreview();
+  logic_.settings.labels = table_->liverLabels();
+  logic_.structures = table_->structures();
   refresh();
 }
 
-void SegmentationImportPanel::import() {
-  bench().runner.start(tr("Importing the surface"), logic_.prepare(), [this](SurfaceImportResult result) {
-    logic_.accept(std::move(result));
-    showResult();
+void SegmentationImportPanel::chooseColour(int label) {
+  const auto& colours = bench().view.options().labelColours;
+  const auto own = colours.find(label);
+  const auto now = own == colours.end() ? labelColour(label) : own->second;
+  const QColor colour = QColorDialog::getColor(QColor::fromRgbF(now[0], now[1], now[2]), this,
+                                               tr("Colour of label %1").arg(label));
+  if (!colour.isValid()) return;
+  bench().view.edit([&](ViewOptions& options) {
+    options.labelColours[label] = {colour.redF(), colour.greenF(), colour.blueF()};
   });
 }
 
-void SegmentationImportPanel::showResult() {
-  const SurfaceImportResult& last = logic_.last();
-  if (!document().preop()) return;
-  const Surface& surface = *document().preop();
+void SegmentationImportPanel::preview() {
+  bench().runner.start(tr("Making the surface"), logic_.prepare(),
+                       [this, labels = document().labels()](SurfaceImportResult result) {
+                         if (document().labels() != labels) return;
+                         segmentation_->dropSketch();
+                         previewed_ = std::move(result);
+                         showPreview();
+                         showResult(*previewed_, tr("Not in the case yet: press Import. "));
+                       });
+}
+
+void SegmentationImportPanel::import() {
+  if (previewed_) {
+    SurfaceImportResult result = std::move(*previewed_);
+    dropPreview();
+    return takeIn(std::move(result));
+  }
+  bench().runner.start(tr("Importing the surface"), logic_.prepare(),
+                       [this](SurfaceImportResult result) { takeIn(std::move(result)); });
+}
+
+void SegmentationImportPanel::takeIn(SurfaceImportResult result) {
+  logic_.accept(std::move(result));
+  segmentation_->dropSketch();
+  bench().view.edit([](ViewOptions& options) { options.previewSurface = nullptr; });
+  showResult(logic_.last(), {});
+  if (logic_.structures.empty()) return;
+  bench().runner.start(tr("Importing vessels and tumours"), logic_.prepareStructures(),
+                       [this](std::map<std::string, Surface> surfaces) {
+                         QStringList names;
+                         for (const auto& [name, surface] : surfaces) names << QString::fromStdString(name);
+                         logic_.acceptStructures(std::move(surfaces));
+                         bench().log.info(tr("Imported %1.").arg(names.join(", ")));
+                       });
+}
+
+void SegmentationImportPanel::showPreview() {
+  if (!previewed_ || !onScreen_) return;
+  bench().view.edit([this](ViewOptions& options) {
+    options.previewSurface = std::make_shared<const Surface>(previewed_->surface);
+    options.previewCaption = "Preview: not in the case yet";
+    options.previewIsSketch = false;
+  });
+}
+
+void SegmentationImportPanel::dropPreview() {
+  if (!previewed_) return;
+  previewed_.reset();
+  result_->clear();
+  quality_->clearResult();
+  showWarnings(warnings_, {});
+  bench().view.edit([](ViewOptions& options) { options.previewSurface = nullptr; });
+}
+
+void SegmentationImportPanel::showResult(const SurfaceImportResult& result, const QString& intro) {
+  const Surface& surface = result.surface;
   const QString facts =
       tr("Surface of %L1 vertices and %L2 triangles, %3 ml; the selected voxels hold %4 ml. Shape: %5.")
           .arg(surface.size())
           .arg(surface.triangles.rows())
-          .arg(last.surfaceVolumeMm3 / 1000, 0, 'f', 1)
-          .arg(last.voxelVolumeMm3 / 1000, 0, 'f', 1)
-          .arg(QString::fromStdString(describeTopology(last.topology)));
-  result_->setText(facts);
+          .arg(result.surfaceVolumeMm3 / 1000, 0, 'f', 1)
+          .arg(result.voxelVolumeMm3 / 1000, 0, 'f', 1)
+          .arg(QString::fromStdString(describeTopology(result.topology)));
+  result_->setText(intro + facts);
+  quality_->setResult(result);
   bench().log.info(facts);
-  showWarnings(warnings_, last.warnings);
-  for (const std::string& warning : last.warnings) bench().log.warn(QString::fromStdString(warning));
+  showWarnings(warnings_, result.warnings);
+  for (const std::string& warning : result.warnings) bench().log.warn(QString::fromStdString(warning));
 }
 
 }  // namespace falciform

@@ -1,18 +1,23 @@
 #pragma once
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include <map>
+#include <optional>
+#include <string>
 
 #include "Logic/Segmentation/SegmentationImportLogic.h"
 #include "Modules/ModulePanel.h"
+#include "Modules/SegmentationImport/LabelTable.h"
+#include "Widgets/Jobs/LatestRunner.h"
 
-class QTableWidget;
+class QGroupBox;
 
 namespace falciform {
 
+class QualityTable;
+class SegmentationBox;
 class SettingsForm;
 
-/// Label map -> closed surface: the labels to tick with their voxel counts, settings, Import.
+/// CT -> label map by seeds and level set; label map -> closed surface: the labels to tick with their
+/// volumes, a preview with its quality, Import.
 class SegmentationImportPanel : public ModulePanel {
   Q_OBJECT
 
@@ -20,7 +25,9 @@ class SegmentationImportPanel : public ModulePanel {
   explicit SegmentationImportPanel(Workbench& workbench, QWidget* parent = nullptr);
 
   [[nodiscard]] SegmentationImportLogic& logic() { return logic_; }
+  [[nodiscard]] SegmentationBox& segmentation() { return *segmentation_; }
   void enter() override;
+  void leave() override;
 
  protected:
   void refresh() override;
@@ -28,18 +35,34 @@ class SegmentationImportPanel : public ModulePanel {
 
  private:
   void addOpenButtons();
+  void addLabels();
+  void addSurface();
+  void arrangeViews();
+  void labelsChanged();
   void countLabels();
-  void fillTable(const std::vector<std::pair<int, std::size_t>>& counts);
-  void readTicks();
+  void readTable();
+  void chooseColour(int label);
+  void preview();
   void import();
-  void showResult();
+  void takeIn(SurfaceImportResult result);
+  void showPreview();
+  void dropPreview();
+  void showResult(const SurfaceImportResult& result, const QString& intro);
 
   SegmentationImportLogic logic_;
-  QLabel *mapFacts_, *missing_, *result_, *warnings_;
-  QTableWidget* table_;
-  SettingsForm* form_;
-  QPushButton* import_;
-  bool countWanted_ = false;  // a new label map whose labels have not been counted yet
+  LatestRunner counting_;
+  SegmentationBox* segmentation_ = nullptr;
+  LabelTable* table_ = nullptr;
+  QualityTable* quality_ = nullptr;
+  SettingsForm* form_ = nullptr;
+  QLabel *mapFacts_ = nullptr, *missing_ = nullptr, *result_ = nullptr, *warnings_ = nullptr;
+  QPushButton *preview_ = nullptr, *import_ = nullptr;
+  QGroupBox* segmentationGroup_ = nullptr;
+  std::map<int, std::string> names_;              ///< of the labels
+  std::optional<SurfaceImportResult> previewed_;  ///< a surface to look at before it is taken in
+  std::optional<bool> ownChange_;                 ///< labels change by seeds or brush; true: to a new organ
+  bool onScreen_ = false;
+  Connection viewChanged_;
 };
 
 }  // namespace falciform

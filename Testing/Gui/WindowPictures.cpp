@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDoubleSpinBox>
+#include <QMouseEvent>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
@@ -22,6 +23,7 @@
 #include "Modules/Workbench.h"
 #include "Testing/Support/TemporaryFolder.h"
 #include "Widgets/Views/CaseView3D.h"
+#include "Widgets/Views/SliceView.h"
 
 namespace {
 
@@ -45,6 +47,45 @@ void scrollTo(MainWindow& window, const char* name) {
     if (auto* scroll = qobject_cast<QScrollArea*>(parent))
       scroll->verticalScrollBar()->setValue(found->mapTo(scroll->widget(), QPoint(0, 0)).y() - 6);
   QTest::qWait(100);
+}
+
+/// Seeds clicked in the CT, the front on its way, what came of it, mended, and the surface before it is
+/// taken.
+void importPictures(MainWindow& window, Workbench& bench, const std::function<void(const QString&)>& save,
+                    const std::function<void(const QString&)>& saveNow) {
+  auto* axial = window.findChild<SliceView*>("sliceAxial");
+  if (!axial) return;
+  press(window, "addSeed");
+  const std::vector<Vector3d> seeds{{-103, -23, -29}, {11, -45, 10}, {39, -17, 33}};
+  for (const Vector3d& seed : seeds) {
+    bench.view.wanderTo.emit(seed);
+    QTest::mouseClick(axial, Qt::LeftButton, {}, axial->positionOf(seed).toPoint());
+    QTest::qWait(50);
+  }
+  scrollTo(window, "segmentation");
+  save("SegmentationImport_seeds");
+  press(window, "segment");
+  while (bench.runner.busy() && !bench.view.options().previewSurface) QTest::qWait(5);
+  QTest::qWait(30);
+  saveNow("SegmentationImport_front");
+  waitIdle(bench);
+  save("SegmentationImport_segmented");
+  press(window, "eraseLabel");
+  const QPoint from = axial->positionOf({60, -40, 33}).toPoint();
+  QTest::mousePress(axial, Qt::LeftButton, {}, from);
+  for (int i = 0; i <= 8; ++i) {
+    const QPoint at = from + QPoint(0, 5 * i);
+    QMouseEvent move(QEvent::MouseMove, at, axial->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                     Qt::NoModifier);
+    QApplication::sendEvent(axial, &move);
+  }
+  QTest::mouseRelease(axial, Qt::LeftButton, {}, from + QPoint(0, 40));
+  save("SegmentationImport_mended");
+  press(window, "undoSegmentation");
+  press(window, "previewSurface");
+  waitIdle(bench);
+  scrollTo(window, "labelTable");
+  save("SegmentationImport_preview");
 }
 
 /// What the registration panel shows beside its result: figures further down, a replay, other poses, handles.
@@ -298,6 +339,9 @@ int main(int argc, char** argv) {
     window.showModule(module.key);
     QTest::qWait(300);
     const QString name = module.key;
+    if (name == "SegmentationImport" && bench.document.ct() && !bench.document.labels())
+      importPictures(window, bench, save,
+                     [&](const QString& picture) { window.grab().save(folder + "/" + picture + ".png"); });
     if (name == "SegmentationImport" && bench.document.labels()) {
       press(window, "import");
       waitIdle(bench);

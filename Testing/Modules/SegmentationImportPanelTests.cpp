@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QTableWidget>
 
@@ -48,7 +49,10 @@ TEST_F(SegmentationImportPanelTest, ListsTheLabelsWithTheirVoxelCountsAllTicked)
   for (int row = 0; row < 2; ++row) {
     EXPECT_EQ(table.item(row, 0)->text(), QString::number(row + 1));
     EXPECT_EQ(table.item(row, 0)->checkState(), Qt::Checked);
-    EXPECT_EQ(table.item(row, 1)->text(), QString("%L1").arg(counts[static_cast<std::size_t>(row)].second));
+    const std::size_t voxels = counts[static_cast<std::size_t>(row)].second;
+    EXPECT_EQ(table.item(row, 2)->toolTip(), QString("%L1 voxels").arg(voxels));
+    const double ml = static_cast<double>(voxels) * std::pow(kVoxelMm, 3) / 1000;
+    EXPECT_NEAR(table.item(row, 2)->text().toDouble(), ml, 0.051) << "one decimal is shown";
   }
 }
 
@@ -76,6 +80,41 @@ TEST_F(SegmentationImportPanelTest, ImportPutsAClosedSurfaceOfTheTickedLabelsInt
   EXPECT_NE(words(panel, "importResult").find("vertices"), std::string::npos);
   EXPECT_NE(words(panel, "importResult").find("closed manifold, 1 piece, genus 0"), std::string::npos);
   EXPECT_TRUE(errors.isEmpty());
+}
+
+TEST_F(SegmentationImportPanelTest, APreviewLeavesTheCaseAloneUntilItIsTakenOrASettingChanges) {
+  bench.document.setLabels(twoHalves());
+  auto& edge = child<QDoubleSpinBox>(panel, "edgeLengthMm");
+  auto& quality = child<QTableWidget>(panel, "qualityTable");
+  edge.setValue(8);
+  panel.enter();
+  click(panel, "previewSurface");
+  EXPECT_FALSE(bench.document.preop());
+  const auto shown = bench.view.options().previewSurface;
+  ASSERT_TRUE(shown);
+  EXPECT_GE(quality.rowCount(), 10);
+  edge.setValue(7);
+  EXPECT_FALSE(bench.view.options().previewSurface) << "it is no longer what these settings make";
+  EXPECT_EQ(quality.rowCount(), 0);
+  click(panel, "previewSurface");
+  const auto second = bench.view.options().previewSurface;
+  click(panel, "import");
+  ASSERT_TRUE(bench.document.preop());
+  EXPECT_EQ(bench.document.preop()->points, second->points);
+  EXPECT_FALSE(bench.view.options().previewSurface);
+  EXPECT_GE(quality.rowCount(), 10) << "the report stays";
+  panel.leave();
+}
+
+TEST_F(SegmentationImportPanelTest, RolesBringLabelsInAsStructures) {
+  bench.document.setLabels(twoHalves());
+  child<QComboBox>(panel, "labelRole2").setCurrentIndex(2);
+  EXPECT_EQ(panel.logic().structures.at(2), "tumour 2");
+  table.item(1, 1)->setText("segment VIII");
+  click(panel, "import");
+  EXPECT_EQ(bench.document.structures().count("segment VIII"), 1u) << errors.join(" ").toStdString();
+  child<QComboBox>(panel, "labelRole2").setCurrentIndex(0);
+  EXPECT_TRUE(panel.logic().structures.empty());
 }
 
 TEST_F(SegmentationImportPanelTest, AnotherLabelMapForgetsTheTicksOfTheLast) {

@@ -78,7 +78,7 @@ TEST_F(SeriesChooserTest, SeveralMasksBecomeOneLabelMap) {
   ASSERT_TRUE(bench.document.labels()) << errors.join(" ").toStdString();
   EXPECT_EQ(bench.document.labels()->at(0, 0, 0), 1);
   EXPECT_EQ(bench.document.labels()->at(2, 0, 0), 2);
-  EXPECT_NE(logged.join(" ").indexOf("label 2 is 'tumour'"), -1);
+  EXPECT_NE(logged.join(" ").indexOf("Label 2 is 'tumour'"), -1);
 }
 
 TEST_F(SeriesChooserTest, ACtIsNoLabelMapAndTheReasonIsSaid) {

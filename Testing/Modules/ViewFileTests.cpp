@@ -11,11 +11,13 @@ TEST(ViewFile, LooksComeBack) {
   saved.looks["structure/portal vein"] = {true, {1, 0, 0.5}, 1};
   saved.patchLooks[7] = {false, {0.9, 0.8, 0.7}};
   saved.slicesWanted = true;
+  saved.greyWindow = {60, 160};
   opened.looks["scan"] = {false, {0, 0, 0}, 0};  // of the case before
   readView(nlohmann::json::parse(toJson(saved).dump()), opened);
   EXPECT_EQ(opened.looks, saved.looks);
   EXPECT_EQ(opened.patchLooks, saved.patchLooks);
   EXPECT_TRUE(opened.slicesWanted);
+  EXPECT_EQ(opened.greyWindow, saved.greyWindow);
 }
 
 TEST(ViewFile, WhatMakesNoSenseStaysAsItIs) {

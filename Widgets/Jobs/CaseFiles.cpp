@@ -70,8 +70,10 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
             return loaded;
           },
           [this, finish](const LoadedCase& loaded) {
+            labelNames_.clear();
             case_.adopt(*loaded.document);
             sources_.clear();
+            labelsRead_ = case_.labels();
             if (viewOpened && loaded.view.is_object()) viewOpened(loaded.view);
             finish(loaded.warnings);
           });
@@ -80,11 +82,13 @@ bool CaseFiles::open(const fs::path& file, FileRole role, std::function<void()> 
           title,
           [file](const Progress& progress) {
             progress.report(0, "reading the label map");
-            return readLabelMap(file);
+            return readNamedLabels(file, {}, progress);
           },
-          [this, role, file, finish](Loaded<LabelMap> loaded) {
-            case_.setLabels(std::make_shared<const LabelMap>(std::move(loaded.value)));
+          [this, role, file, finish](Loaded<NamedLabels> loaded) {
+            labelNames_ = std::move(loaded.value.names);
+            case_.setLabels(std::make_shared<const LabelMap>(std::move(loaded.value.map)));
             sources_[role] = file;
+            labelsRead_ = case_.labels();
             finish(loaded.warnings);
           });
     case FileRole::Preop:
@@ -161,15 +165,16 @@ bool CaseFiles::openSeries(std::vector<DicomSeries> series, FileRole role, std::
   return start(
       title,
       [series](const Progress& progress) {
-        return series.size() == 1 ? readDicomLabels(series[0], progress) : [&] {
-          Loaded<NamedLabels> named = readDicomMasks(series, progress);
-          for (const auto& [label, name] : named.value.names)
-            named.warnings.push_back("label " + std::to_string(label) + " is '" + name + "'");
-          return Loaded<LabelMap>{std::move(named.value.map), std::move(named.warnings)};
-        }();
+        DicomListing chosen;
+        chosen.series = series;
+        return series.size() > 1 ? readDicomMasks(series, progress) : readChosenLabels(chosen, {}, progress);
       },
-      [this, finish](Loaded<LabelMap> loaded) {
-        case_.setLabels(std::make_shared<const LabelMap>(std::move(loaded.value)));
+      [this, finish](Loaded<NamedLabels> loaded) {
+        for (const auto& [label, name] : loaded.value.names)
+          log_.info(QObject::tr("Label %1 is '%2'.").arg(label).arg(QString::fromStdString(name)));
+        labelNames_ = std::move(loaded.value.names);
+        case_.setLabels(std::make_shared<const LabelMap>(std::move(loaded.value.map)));
+        labelsRead_ = case_.labels();
         finish(loaded.warnings);
       });
 }

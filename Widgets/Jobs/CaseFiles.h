@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "Logic/Core/Case.h"
@@ -31,6 +32,10 @@ class CaseFiles {
   std::function<void(const nlohmann::json&)> viewOpened;
   /// The files that label map and CT were read from, since the case was opened.
   [[nodiscard]] const std::map<FileRole, std::filesystem::path>& sources() const { return sources_; }
+  /// False once the labels are no longer those of a file or series that was opened.
+  [[nodiscard]] bool labelsAreAsRead() const { return labelsRead_.lock() == case_.labels(); }
+  /// Names that the file of the label map last opened gives to its labels.
+  [[nodiscard]] const std::map<int, std::string>& labelNames() const { return labelNames_; }
 
  private:
   template <class Work, class Done>
@@ -40,6 +45,8 @@ class CaseFiles {
   JobRunner& runner_;
   Log& log_;
   std::map<FileRole, std::filesystem::path> sources_;
+  std::map<int, std::string> labelNames_;
+  std::weak_ptr<const LabelMap> labelsRead_;
 };
 
 }  // namespace falciform

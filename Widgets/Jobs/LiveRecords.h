@@ -5,7 +5,7 @@
 namespace falciform {
 
 /// What a running job tells of its iterations: the job's thread writes, the panel looks a few times a second.
-/// The one place where two threads share something that changes, hence the lock. A record numbered 1 begins a
+/// Shared by two threads while it changes, hence the lock. A record numbered 1 begins a
 /// new start and forgets the last one.
 template <class Record>
 class LiveRecords {

@@ -1,23 +1,22 @@
 #include "Widgets/Views/CaseScene.h"
 
-#include <vtkCamera.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "Logic/Core/Settings.h"
 #include "Widgets/Rendering/PictureScenes.h"
-#include "Widgets/Rendering/ScanView.h"
 #include "Widgets/Rendering/SurfaceGeometry.h"
 
 namespace falciform {
 namespace {
 
 constexpr int kLandmarkPx = 12;
+const Vector3d kSeedColour(1.0, 0.27, 0.23);
 constexpr double kGhostOpacity = 0.45;
+constexpr double kPreviewOpacity = 0.6;    // seeds are seen through it
 constexpr double kCubeAboveNotice = 0.09;  // share of the height
-constexpr double kNarrowBar = 5;           // lines of text that a bar without words takes of the width
 
 SurfaceStyle styleOf(const PartLook& look) {
   SurfaceStyle style;
@@ -57,7 +56,7 @@ struct CaseScene::Wanted {
   std::shared_ptr<const Surface> preop, scan;
   Isometry3d sceneFromPreop = Isometry3d::Identity(), sceneFromScan = Isometry3d::Identity();
   std::optional<ScalarMap> preopMap, scanMap;
-  bool distance = false, supports = false, deformed = false, update = false;
+  bool distance = false, supports = false, deformed = false, update = false, preview = false;
   [[nodiscard]] bool bar() const { return preopMap || scanMap; }
 };
 
@@ -71,6 +70,7 @@ CaseScene::CaseScene(const Case& document, const ViewState& view, int textPx)
       preopLandmarks_(scene_.add<SurfacePresenter>()),
       scanLandmarks_(scene_.add<SurfacePresenter>()),
       targets_(scene_.add<SurfacePresenter>()),
+      seeds_(scene_.add<SurfacePresenter>()),
       suggestion_(scene_.add<BrushCursorPresenter>()),
       bar_(scene_.add<ColourBarPresenter>(textPx, scene_.style().text)),
       legend_(scene_.add<LegendPresenter>(textPx, scene_.style().text)),
@@ -95,6 +95,8 @@ CaseScene::Wanted CaseScene::wanted() const {
   result.deformed = options.liveDeformed && !options.painting && result.preop &&
                     options.liveDeformed->size() == result.preop->size();
   if (result.deformed) result.preop = options.liveDeformed;
+  result.preview = options.previewSurface && !scanAlone();
+  if (result.preview) result.preop = options.previewSurface;
   result.update = result.deformed && options.updateShown;
   if (result.update) {
     if (options.updateColours && result.preop->arrays.contains(options.updateColours->array))
@@ -155,6 +157,8 @@ bool CaseScene::follow() {
     dressPatches(preopStyle, false);
   // Of two patches on each other, one must be told from the other.
   dressPatches(scanStyle, now.preop && now.scan);
+  if (now.preview && view_.options().previewIsSketch)
+    preopStyle.opacity = std::min(preopStyle.opacity, kPreviewOpacity);
   draw(preop_, now.preop, now.sceneFromPreop, now.preopMap, preopStyle);
   draw(scan_, now.scan, now.sceneFromScan, now.scanMap, scanStyle);
   followStructures(now);
@@ -175,16 +179,23 @@ bool CaseScene::follow() {
   // a hand drags it.
   const bool elsewhere = now.scan && !view_.options().moving && !now.distance &&
                          !followedScan_.isApprox(now.sceneFromScan, 1e-9);
-  const bool outside = elsewhere && scanOutOfSight();
+  const bool outside = elsewhere && outOfSight(scan_);
   const bool strayed = outside || (elsewhere && fittedWide_);
   if (elsewhere) {
     fittedWide_ = outside;
     followedScan_ = now.sceneFromScan;
   }
-  const bool news = strayed || fittedBar_ != now.bar() || fittedDistance_ != now.distance ||
-                    directedScanAlone_ != scanAlone() || fittedRegistration_ != case_.registration() ||
-                    (!now.distance && !now.deformed && !std::all_of(visible.begin(), visible.end(), known));
-  if (!now.distance && !now.deformed) fitted_ = visible;  // a liver that moves is looked at from one place
+  // A front that grows is looked at from one place too, unless it grows out of sight.
+  const bool grown = now.preview && (!fittedPreview_ || outOfSight(preop_));
+  fittedPreview_ = now.preview;
+  const Index seeds = view_.options().seeds ? view_.options().seeds->rows() : 0;
+  const bool planted = visible.empty() && std::exchange(fittedSeeds_, seeds) != seeds && seeds > 0;
+  const bool news =
+      strayed || grown || planted || fittedBar_ != now.bar() || fittedDistance_ != now.distance ||
+      directedScanAlone_ != scanAlone() || fittedRegistration_ != case_.registration() ||
+      (!now.distance && !now.deformed && !now.preview && !std::all_of(visible.begin(), visible.end(), known));
+  if (!now.distance && !now.deformed && !now.preview)
+    fitted_ = visible;  // a liver that moves is looked at from one place
   fittedBar_ = now.bar();
   fittedDistance_ = now.distance;
   fittedRegistration_ = case_.registration();
@@ -244,11 +255,20 @@ void CaseScene::followLandmarks(const Wanted& now) {
   draw(preopLandmarks_, case_.preopLandmarks(), part::kPreopLandmarks, preop_.surface() != nullptr);
   draw(scanLandmarks_, case_.scanLandmarks(), part::kScanLandmarks, scan_.surface() != nullptr);
   scanLandmarks_.setSceneFromSurface(scan_.sceneFromSurface());
+  const ViewOptions& options = view_.options();
   Landmarks targets = case_.targets();
-  const auto& moved = view_.options().movedTargets;
+  const auto& moved = options.movedTargets;
   if (now.update && moved && moved->rows() == static_cast<Index>(targets.points.size()))
     for (std::size_t i = 0; i < targets.points.size(); ++i)
       targets.points[i].position = moved->row(static_cast<Index>(i)).transpose();
+  Landmarks seeds;
+  if (options.seeds && !scanAlone())
+    for (Index s = 0; s < options.seeds->rows(); ++s)
+      seeds.points.push_back({std::to_string(s + 1), options.seeds->row(s).transpose()});
+  draw(seeds_, seeds, part::kPreopLandmarks, true);
+  SurfaceStyle seedStyle = seeds_.style();
+  seedStyle.colour = kSeedColour;
+  seeds_.setStyle(seedStyle);
   // Where supports push them nobody has said.
   draw(targets_, targets, part::kTargets, preop_.surface() != nullptr && (!now.deformed || now.update));
   targets_.setSceneFromSurface(preop_.sceneFromSurface());
@@ -280,8 +300,9 @@ void CaseScene::followTexts(const Wanted& now) {
   } else {
     bar_.clear();
     const bool outdated = case_.registrationStale() && now.preop && now.scan && options.afterRegistration;
-    title_.setText(!now.preop && !now.scan && structures_.empty()
+    title_.setText(!now.preop && !now.scan && structures_.empty() && !case_.ct() && !case_.labels()
                        ? "Open or drop a label map, surface, scan or case"
+                   : now.preview               ? options.previewCaption
                    : now.deformed              ? options.deformedCaption
                    : options.livePreopFromScan ? options.liveCaption
                    : outdated                  ? "Registration is out of date"
@@ -326,69 +347,6 @@ std::vector<ShownSurface> CaseScene::shown() const {
   add(part::kScan, "Scan", scan_);
   for (const auto& [name, presenter] : structures_) add(part::structure(name), name, *presenter);
   return visible;
-}
-
-bool CaseScene::scanOutOfSight() const {
-  constexpr Index kSample = 200;
-  constexpr double kMostOutside = 0.1;
-  const auto& scan = scan_.surface();
-  if (!scan || scan->size() == 0 || !scene_.renderer()->GetVTKWindow()) return false;
-  const Index stride = std::max<Index>(1, scan->size() / kSample);
-  Index outside = 0, all = 0;
-  for (Index i = 0; i < scan->size(); i += stride, ++all) {
-    Vector3d at = scan_.sceneFromSurface() * scan->points.row(i).transpose();
-    scene_.renderer()->WorldToView(at.x(), at.y(), at.z());
-    if (std::abs(at.x()) > 1 || std::abs(at.y()) > 1) ++outside;
-  }
-  return static_cast<double>(outside) > kMostOutside * static_cast<double>(all);
-}
-
-Matrix3d CaseScene::sceneFromLps() const {
-  if (!scanAlone() || !case_.registration()) return Matrix3d::Identity();
-  return case_.registration()->scanFromPreop.linear();
-}
-
-Points CaseScene::shownPoints() const {
-  const std::vector<ShownSurface> visible = shown();
-  Index count = 0;
-  for (const ShownSurface& one : visible) count += one.surface->size();
-  Points all(count, 3);
-  Index row = 0;
-  for (const ShownSurface& one : visible) {
-    all.middleRows(row, one.surface->size()) = transformed(one.surface->points, one.sceneFromSurface);
-    row += one.surface->size();
-  }
-  return all;
-}
-
-ViewDirection CaseScene::firstDirection() const {
-  const auto& scan = case_.scan();
-  if (!scanAlone() || !scan) return directionOf(StandardView::Anterior);
-  const auto& registration = case_.registration();
-  if (registration && case_.preop())
-    return viewOfScan(*scan, transformed(case_.preop()->points, registration->scanFromPreop),
-                      registration->scanFromPreop);
-  const Vector3d from = seenFrom(*scan);
-  return {from, uprightFor(*scan, from)};
-}
-
-void CaseScene::fit(double widthPx, double heightPx) {
-  const Points points = shownPoints();
-  if (points.rows() == 0) return;
-  ViewDirection direction = firstDirection();
-  if (directedScanAlone_ == scanAlone()) {
-    vtkCamera* camera = scene_.renderer()->GetActiveCamera();
-    Vector3d back;
-    camera->GetDirectionOfProjection(back.data());
-    camera->GetViewUp(direction.up.data());
-    direction.from = -back;
-  }
-  directedScanAlone_ = scanAlone();
-  ViewMargins margins;
-  // Title, legend and colour bar with their words stand beside the liver rather than on it.
-  margins.top = std::min(0.3, (legendLines_ > 0 ? 3.2 + 1.5 * legendLines_ : 2.6) * textPx_ / heightPx);
-  if (fittedBar_) margins.right = std::min(0.4, (narrow_ ? kNarrowBar : 11.5) * textPx_ / widthPx);
-  fitView(scene_.renderer(), points, direction, widthPx / heightPx, margins);
 }
 
 }  // namespace falciform

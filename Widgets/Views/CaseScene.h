@@ -54,8 +54,8 @@ class CaseScene {
   [[nodiscard]] bool scanAlone() const { return view_.options().arrangement == Arrangement::ScanOnly; }
   [[nodiscard]] Points shownPoints() const;
   [[nodiscard]] ViewDirection firstDirection() const;
-  /// Whether much of the scan is outside of the view as it stands.
-  [[nodiscard]] bool scanOutOfSight() const;
+  /// Whether much of what is drawn there is outside of the view as it stands.
+  [[nodiscard]] bool outOfSight(const SurfacePresenter& presenter) const;
   [[nodiscard]] std::shared_ptr<const Surface> withSupports(
       const std::shared_ptr<const Surface>& liver) const;
   void followStructures(const Wanted& wanted);
@@ -71,7 +71,7 @@ class CaseScene {
   const ViewState& view_;
   int textPx_;
   Scene scene_;
-  SurfacePresenter &preop_, &scan_, &preopLandmarks_, &scanLandmarks_, &targets_;
+  SurfacePresenter &preop_, &scan_, &preopLandmarks_, &scanLandmarks_, &targets_, &seeds_;
   BrushCursorPresenter& suggestion_;
   ColourBarPresenter& bar_;
   LegendPresenter& legend_;
@@ -84,9 +84,10 @@ class CaseScene {
   };
   mutable Supported supported_;       ///< the last liver drawn with its supports
   std::vector<ShownSurface> fitted_;  ///< what was on screen when follow() last asked for a fit
-  bool fittedBar_ = false, fittedDistance_ = false, narrow_ = false;
+  bool fittedBar_ = false, fittedDistance_ = false, fittedPreview_ = false, narrow_ = false;
   Isometry3d followedScan_ = Isometry3d::Identity();  ///< where the last follow() drew the scan
   bool fittedWide_ = false;                           ///< the last fit was made because it lay outside
+  Index fittedSeeds_ = 0;
   int legendLines_ = 0;
   std::optional<bool> directedScanAlone_;  ///< the frame that the camera's direction belongs to
   std::shared_ptr<const RegistrationResult> fittedRegistration_;

@@ -25,6 +25,19 @@
 namespace falciform {
 namespace {
 
+/// Whether they differ in nothing but what slices show: a drag there is not to draw the liver anew each time.
+bool sameIn3D(ViewOptions a, const ViewOptions& b) {
+  a.greyWindow = b.greyWindow;
+  a.labelColours = b.labelColours;
+  a.labelsShown = b.labelsShown;
+  a.sliceTool = b.sliceTool;
+  a.sliceBrushMm = b.sliceBrushMm;
+  a.liveLabels = b.liveLabels;
+  a.forbidden = b.forbidden;
+  a.labelEdits = b.labelEdits;
+  return a == b;
+}
+
 constexpr double kHandleShare = 0.4;  // radius of the handles' rings, of the scan's reach
 
 }  // namespace
@@ -54,6 +67,7 @@ struct CaseView3D::Parts {
   QPoint mouse;
   bool fitWanted = true;
   std::vector<double> cameraWanted;  // in place of the next fit
+  ViewOptions followed;
   Connection caseChanged, viewChanged;
 };
 
@@ -97,7 +111,11 @@ CaseView3D::CaseView3D(Case& document, ViewState& view, PatchPaintingLogic& pain
   parts_->followTimer = onceTimer(this, 0, [this] { follow(); });
   parts_->probeTimer = onceTimer(this, kProbeAfterMs, [this] { probe(); });
   parts_->caseChanged = document.changed.connect([this](Case::Part) { followSoon(); });
-  parts_->viewChanged = view.changed.connect([this] { followSoon(); });
+  parts_->viewChanged = view.changed.connect([this] {
+    const ViewOptions& now = parts_->view.options();
+    const ViewOptions before = std::exchange(parts_->followed, now);
+    if (!sameIn3D(before, now)) followSoon();
+  });
   followSoon();
 }
 

@@ -3,6 +3,7 @@
 #include <QSplitter>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "Widgets/Views/CaseSlices.h"
 #include "Widgets/Views/MapGalleryView.h"
@@ -71,6 +72,8 @@ void CaseViews::follow() {
     slices_ = new CaseSlices(case_, view_, rows_);
     rows_->setSizes({1300, 1000});
   }
+  if (slices_ && std::exchange(largeSlices_, options.slicesLarge) != options.slicesLarge)
+    rows_->setSizes(options.slicesLarge ? QList<int>{1000, 1500} : QList<int>{1300, 1000});
   if (slices_) slices_->setVisible(slices);
   // Once the views have their new sizes.
   if (compare != wasCompared || slices != wereSlices)

@@ -39,6 +39,7 @@ class CaseViews : public QWidget {
   CaseView3D *main_, *compared_ = nullptr;
   CaseSlices* slices_ = nullptr;
   MapGalleryView* gallery_ = nullptr;
+  bool largeSlices_ = false;
   Connection viewChanged_;
 };
 

@@ -1,9 +1,12 @@
 #pragma once
+#include <QColor>
 #include <QImage>
 #include <QPointF>
 #include <QRectF>
+#include <functional>
 
 #include "Logic/Core/Volume.h"
+#include "Widgets/Views/SliceOptions.h"
 
 namespace falciform {
 
@@ -32,17 +35,16 @@ struct SliceAxes {
 };
 [[nodiscard]] SliceAxes axesOf(SlicePlane plane);
 
-/// Which values are grey: black at level - width / 2, white at level + width / 2.
-struct GreyWindow {
-  double level = 80, width = 400;  ///< Hounsfield units; the usual ones for a liver
-};
-
 /// The part `mm` (screen mm, see SliceAxes) of the cut at `at` in `pixels`, interpolated; outside of the
 /// volume transparent.
 [[nodiscard]] QImage sliceOf(const Image& ct, SlicePlane plane, double at, const QRectF& mm,
                              const QSize& pixels, const GreyWindow& window = {});
-/// The same of a label map: background dark, each label its own grey, nearest voxel.
-[[nodiscard]] QImage sliceOf(const LabelMap& labels, SlicePlane plane, double at, const QRectF& mm,
-                             const QSize& pixels);
+/// The same part of a label map, to be laid over it: each label's outline in its colour, its inside in the
+/// same with the share `filled` of the opacity; background transparent; nearest voxel.
+[[nodiscard]] QImage labelsOf(const LabelMap& labels, SlicePlane plane, double at, const QRectF& mm,
+                              const QSize& pixels, const std::function<QColor(int)>& colour, double filled);
+/// The same part of flags, hatched where they are above 0.
+[[nodiscard]] QImage hatchOf(const LabelMap& flags, SlicePlane plane, double at, const QRectF& mm,
+                             const QSize& pixels, const QColor& colour);
 
 }  // namespace falciform

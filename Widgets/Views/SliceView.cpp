@@ -1,10 +1,9 @@
 #include "Widgets/Views/SliceView.h"
 
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "Logic/Geometry/PlaneSection.h"
 
@@ -13,24 +12,33 @@ namespace {
 
 const std::array<const char*, 3> kNames{"Axial", "Coronal", "Sagittal"};
 const std::array<const char*, 3> kAxisNames{"x", "y", "z"};
-constexpr double kWheelMm = 2;
+constexpr double kFilled = 0.25, kFilledAlone = 0.5;       // share of opacity, over a CT and without
+constexpr double kSeedNearMm = 2.5, kSeedFarMm = 15;       // from the cut: full, faint
+const QColor kSeed(255, 69, 58), kForbidden(255, 90, 80);  // red stands for nothing else here
 
 }  // namespace
 
 SliceView::SliceView(SlicePlane plane, QWidget* parent)
     : QWidget(parent), plane_(plane), axes_(axesOf(plane)) {
   setObjectName(QString("slice%1").arg(kNames[static_cast<std::size_t>(plane)]));
-  setToolTip(
-      tr("A cut through the patient as imaged, patient LPS, mm. Click: the other cuts go there. Wheel: next "
-         "cut, 2 mm a step."));
+  setToolTip(tr(
+      "A cut through the patient as imaged, patient LPS, mm. Click: the other cuts go there. Wheel: next "
+      "cut, 2 mm a step; with Ctrl: zoom. Right drag: window and level. Middle drag: shift. R: all. Double "
+      "click: large"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setExtent(low_, high_);
 }
 
-void SliceView::setVolume(std::shared_ptr<const Image> ct, std::shared_ptr<const LabelMap> labels) {
-  if (ct == ct_ && labels == labels_) return;
-  ct_ = std::move(ct);
-  labels_ = std::move(labels);
-  imageOld_ = true;
+void SliceView::setContent(const SliceContent& content) {
+  const SliceContent& old = content_;
+  greyOld_ |= content.ct != old.ct || !(content.window == old.window);
+  labelsOld_ |= content.labels != old.labels || content.forbidden != old.forbidden ||
+                content.labelEdits != old.labelEdits || content.labelColours != old.labelColours ||
+                (content.ct != nullptr) != (old.ct != nullptr);
+  content_ = content;
+  setCursor(content.tool == SliceTool::Look ? Qt::ArrowCursor : Qt::CrossCursor);
   update();
 }
 
@@ -42,67 +50,89 @@ void SliceView::setOutlines(std::vector<SliceOutline> outlines) {
 void SliceView::setExtent(const Vector3d& low, const Vector3d& high) {
   low_ = low;
   high_ = high;
+  imagesAreOld();
+  endZoom();
   setCursorMm((low + high) / 2);
 }
 
 void SliceView::setCursorMm(const Vector3d& mm) {
-  cursor_ = mm.cwiseMax(low_).cwiseMin(high_);
-  imageOld_ = true;
+  const Vector3d inner = mm.cwiseMax(low_).cwiseMin(high_);
+  if (inner[axes_.through] != at()) imagesAreOld();
+  cursor_ = inner;
   update();
 }
+
+void SliceView::imagesAreOld() { greyOld_ = labelsOld_ = true; }
 
 void SliceView::moveTo(const Vector3d& mm) {
   setCursorMm(mm);
   Q_EMIT cursorMoved(cursor_);
 }
 
-QRectF SliceView::shownMm() const {
-  const QPointF a = axes_.onScreen(low_), b = axes_.onScreen(high_);
-  return QRectF(a, b).normalized();
+void SliceView::endZoom() {
+  zoom_ = 1;
+  centre_ = axes_.onScreen((low_ + high_) / 2);
+  imagesAreOld();
+  update();
 }
 
-QRectF SliceView::frame() const {
-  const QRectF mm = shownMm();
-  const double scale = std::min(width() / std::max(1.0, mm.width()), height() / std::max(1.0, mm.height()));
-  const QSizeF size(mm.width() * scale, mm.height() * scale);
-  return {QPointF((width() - size.width()) / 2, (height() - size.height()) / 2), size};
+double SliceView::pixelsPerMm() const {
+  const QPointF box = axes_.onScreen(low_) - axes_.onScreen(high_);
+  return zoom_ *
+         std::min(width() / std::max(1.0, std::abs(box.x())), height() / std::max(1.0, std::abs(box.y())));
+}
+
+QRectF SliceView::shownMm() const {
+  const QSizeF size = QSizeF(this->size()) / pixelsPerMm();
+  return {centre_ - QPointF(size.width(), size.height()) / 2, size};
 }
 
 QPointF SliceView::positionOf(const Vector3d& mm) const {
-  const QRectF from = shownMm(), to = frame();
-  const QPointF place = axes_.onScreen(mm);
-  return {to.left() + (place.x() - from.left()) * to.width() / from.width(),
-          to.top() + (place.y() - from.top()) * to.height() / from.height()};
+  return (axes_.onScreen(mm) - shownMm().topLeft()) * pixelsPerMm();
 }
 
-void SliceView::pointAt(const QPointF& pixel) {
-  const QRectF from = frame(), to = shownMm();
-  if (from.isEmpty()) return;
-  moveTo(axes_.inPatient({to.left() + (pixel.x() - from.left()) * to.width() / from.width(),
-                          to.top() + (pixel.y() - from.top()) * to.height() / from.height()},
-                         at()));
+Vector3d SliceView::placeOf(const QPointF& pixel) const {
+  return axes_.inPatient(shownMm().topLeft() + pixel / pixelsPerMm(), at());
 }
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor(18, 20, 24));
-  const QRectF picture = frame();
-  const QSize pixels = (picture.size() * std::min(1.5, devicePixelRatioF())).toSize();
-  if ((ct_ || labels_) && !pixels.isEmpty()) {
-    if (imageOld_ || image_.size() != pixels)
-      image_ = ct_ ? sliceOf(*ct_, plane_, at(), shownMm(), pixels)
-                   : sliceOf(*labels_, plane_, at(), shownMm(), pixels);
-    imageOld_ = false;
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(picture, image_);
-  }
+  drawImages(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(QColor(255, 255, 255, 90), 1));
   const QPointF cross = positionOf(cursor_);
-  painter.drawLine(QPointF(picture.left(), cross.y()), QPointF(picture.right(), cross.y()));
-  painter.drawLine(QPointF(cross.x(), picture.top()), QPointF(cross.x(), picture.bottom()));
+  painter.drawLine(QPointF(0, cross.y()), QPointF(width(), cross.y()));
+  painter.drawLine(QPointF(cross.x(), 0), QPointF(cross.x(), height()));
   drawOutlines(painter);
+  drawSeeds(painter);
+  drawBrush(painter);
   drawWords(painter);
+}
+
+void SliceView::resizeEvent(QResizeEvent*) { imagesAreOld(); }
+
+void SliceView::drawImages(QPainter& painter) {
+  const QSize pixels = (QSizeF(size()) * std::min(1.5, devicePixelRatioF())).toSize();
+  if (pixels.isEmpty()) return;
+  if (greyOld_)
+    grey_ = content_.ct ? sliceOf(*content_.ct, plane_, at(), shownMm(), pixels, content_.window) : QImage();
+  if (labelsOld_) {
+    const auto colour = [this](int label) {
+      const auto own = content_.labelColours.find(label);
+      const auto rgb = own == content_.labelColours.end() ? labelColour(label) : own->second;
+      return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
+    };
+    labels_ = content_.labels ? labelsOf(*content_.labels, plane_, at(), shownMm(), pixels, colour,
+                                         content_.ct ? kFilled : kFilledAlone)
+                              : QImage();
+    hatch_ = content_.forbidden ? hatchOf(*content_.forbidden, plane_, at(), shownMm(), pixels, kForbidden)
+                                : QImage();
+  }
+  greyOld_ = labelsOld_ = false;
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  for (const QImage* image : {&grey_, &labels_, &hatch_})
+    if (!image->isNull()) painter.drawImage(QRectF(rect()), *image);
 }
 
 void SliceView::drawOutlines(QPainter& painter) {
@@ -132,36 +162,57 @@ void SliceView::drawOutlines(QPainter& painter) {
   sections_ = std::move(used);
 }
 
+void SliceView::drawSeeds(QPainter& painter) const {
+  if (!content_.seeds) return;
+  for (Index s = 0; s < content_.seeds->rows(); ++s) {
+    const Vector3d mm = content_.seeds->row(s).transpose();
+    const double away = std::abs(mm[axes_.through] - at());
+    if (away > kSeedFarMm) continue;
+    const QPointF place = positionOf(mm);
+    QColor colour = kSeed;
+    if (away > kSeedNearMm) colour.setAlpha(120);
+    painter.setPen(QPen(QColor(255, 255, 255, colour.alpha()), 1.2));
+    painter.setBrush(away > kSeedNearMm ? QBrush(Qt::NoBrush) : QBrush(colour));
+    if (away > kSeedNearMm) painter.setPen(QPen(colour, 1.2));
+    painter.drawEllipse(place, 4.5, 4.5);
+    painter.setPen(QColor(255, 235, 230, colour.alpha()));
+    painter.drawText(place + QPointF(7, -5), QString::number(s + 1));
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+bool SliceView::brushing() const {
+  return content_.tool == SliceTool::Paint || content_.tool == SliceTool::Erase;
+}
+
+void SliceView::drawBrush(QPainter& painter) const {
+  if (!brushing() || !mouse_) return;
+  const double radius = content_.brushMm * pixelsPerMm();
+  painter.setPen(QPen(QColor(0, 0, 0, 160), 3));
+  painter.drawEllipse(*mouse_, radius, radius);
+  painter.setPen(QPen(content_.tool == SliceTool::Erase ? kForbidden : QColor(120, 230, 140), 1.4));
+  painter.drawEllipse(*mouse_, radius, radius);
+}
+
 void SliceView::drawWords(QPainter& painter) const {
-  painter.setPen(QColor(235, 238, 242));
   const QRectF inside = QRectF(rect()).adjusted(5, 3, -5, -3);
-  painter.drawText(
-      inside, Qt::AlignLeft | Qt::AlignTop,
-      QString("%1, %2 = %3 mm")
-          .arg(kNames[static_cast<std::size_t>(plane_)], kAxisNames[static_cast<std::size_t>(axes_.through)])
-          .arg(at(), 0, 'f', 0));
-  painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter, axes_.left);
-  painter.drawText(inside, Qt::AlignRight | Qt::AlignVCenter, axes_.right);
-  painter.drawText(inside, Qt::AlignRight | Qt::AlignTop, axes_.top);
-  painter.drawText(inside, Qt::AlignHCenter | Qt::AlignBottom, axes_.bottom);
-}
-
-void SliceView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) pointAt(event->localPos());
-}
-
-void SliceView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() & Qt::LeftButton) pointAt(event->localPos());
-}
-
-void SliceView::wheelEvent(QWheelEvent* event) {
-  wheel_ += event->angleDelta().y() / 120.0;
-  const int steps = static_cast<int>(wheel_);
-  wheel_ -= steps;
-  Vector3d next = cursor_;
-  next[axes_.through] += steps * kWheelMm;
-  if (steps != 0) moveTo(next);
-  event->accept();
+  const auto word = [&](Qt::Alignment where, const QString& text) {
+    painter.setPen(QColor(0, 0, 0, 200));
+    painter.drawText(inside.translated(1, 1), static_cast<int>(where), text);
+    painter.setPen(QColor(235, 238, 242));
+    painter.drawText(inside, static_cast<int>(where), text);
+  };
+  word(Qt::AlignLeft | Qt::AlignTop,
+       QString("%1, %2 = %3 mm")
+           .arg(kNames[static_cast<std::size_t>(plane_)], kAxisNames[static_cast<std::size_t>(axes_.through)])
+           .arg(at(), 0, 'f', 0));
+  word(Qt::AlignLeft | Qt::AlignVCenter, axes_.left);
+  word(Qt::AlignRight | Qt::AlignVCenter, axes_.right);
+  word(Qt::AlignRight | Qt::AlignTop, axes_.top);
+  word(Qt::AlignHCenter | Qt::AlignBottom, axes_.bottom);
+  if (content_.ct)
+    word(Qt::AlignLeft | Qt::AlignBottom,
+         QString("W %1 L %2").arg(content_.window.width, 0, 'f', 0).arg(content_.window.level, 0, 'f', 0));
 }
 
 }  // namespace falciform

@@ -37,7 +37,10 @@ Json toJson(const ViewOptions& options) {
     parts[part] = {{"visible", look.visible}, {"colour", look.colour}, {"opacity", look.opacity}};
   for (const auto& [label, look] : options.patchLooks)
     patches[std::to_string(label)] = {{"visible", look.visible}, {"colour", look.colour}};
-  return {{"parts", parts}, {"patches", patches}, {"ct_slices", options.slicesWanted}};
+  return {{"parts", parts},
+          {"patches", patches},
+          {"ct_slices", options.slicesWanted},
+          {"grey_window", {{"level_hu", options.greyWindow.level}, {"width_hu", options.greyWindow.width}}}};
 }
 
 void readView(const Json& json, ViewOptions& options) {
@@ -65,6 +68,12 @@ void readView(const Json& json, ViewOptions& options) {
       look.colour = colourOf(valueOf(value, "colour"), look.colour);
       options.patchLooks[label] = look;
     }
+  if (const Json window = valueOf(json, "grey_window"); window.is_object()) {
+    const Json level = valueOf(window, "level_hu"), width = valueOf(window, "width_hu");
+    if (level.is_number() && width.is_number())
+      options.greyWindow = {std::clamp(level.get<double>(), -1e5, 1e5),
+                            std::clamp(width.get<double>(), 1.0, 1e5)};
+  }
   options.slicesWanted = flagOf(json, "ct_slices", options.slicesWanted);
 }
 

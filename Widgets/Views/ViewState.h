@@ -8,8 +8,10 @@
 #include "Logic/Core/Signal.h"
 #include "Logic/Core/Surface.h"
 #include "Logic/Core/Types.h"
+#include "Logic/Core/Volume.h"
 #include "Widgets/Rendering/MappedCase.h"
 #include "Widgets/Rendering/ScalarMap.h"
+#include "Widgets/Views/SliceOptions.h"
 
 namespace falciform {
 
@@ -85,7 +87,21 @@ struct ViewOptions {
   bool colourBarShown = true;   ///< of two views beside each other one is enough
   bool slicesShown = false;     ///< CT or label map as three cuts, with outlines: the step wants them,
   bool slicesWanted = false;    ///< or the user, whatever the step
-  bool darkScene = false;       ///< a darker background, for the dark theme
+  bool slicesLarge = false;     ///< to work in: one of them large, all of the volume in sight
+  GreyWindow greyWindow;        ///< of the CT in all slices
+  std::map<int, std::array<double, 3>> labelColours;  ///< what differs from labelColour()
+  bool labelsShown = true;                            ///< over the CT
+  SliceTool sliceTool = SliceTool::Look;
+  double sliceBrushMm = 8;                     ///< radius of the tools that paint
+  std::shared_ptr<const LabelMap> liveLabels;  ///< in slices, in place of the case's: a front, a stroke
+  std::shared_ptr<const LabelMap> forbidden;   ///< in slices: where the front is kept out
+  int labelEdits = 0;                          ///< counts changes within these two
+  std::shared_ptr<const Points> seeds;         ///< LPS mm, in slices and 3D
+  /// In place of the pre-operative surface: what a running front, or an import, makes; not stored.
+  std::shared_ptr<const Surface> previewSurface;
+  std::string previewCaption;    ///< what it is
+  bool previewIsSketch = false;  ///< coarse: drawn see-through, and not in slices
+  bool darkScene = false;        ///< a darker background, for the dark theme
 
   bool operator==(const ViewOptions&) const = default;
 };
@@ -96,6 +112,8 @@ class ViewState {
   Signal<> changed;
   Signal<const std::string&> warned;  ///< what mouse or key asked for is not done, or not seen, and why
   Signal<> brushChanged;              ///< the mouse or a key changed radius, patch, labels or undo steps
+  Signal<const SliceTouch&> touched;  ///< the mouse in a slice, with a tool in hand
+  Signal<const Vector3d&> wanderTo;   ///< slices shall show this place, LPS mm
 
   [[nodiscard]] const ViewOptions& options() const { return options_; }
   [[nodiscard]] PartLook look(const std::string& part) const;
