@@ -39,6 +39,12 @@ QString sheet(const QMainWindow* window) {
   html += row(tr("right drag, wheel"), tr("zoom"));
   html += row("R", tr("fit all"));
   html += row("Shift + A P R L S I", tr("from the front, back, right, left, head, feet"));
+  html += head(tr("Slices"));
+  html += row(tr("left click"), tr("move all cuts there, or use the tool; with Ctrl always move"));
+  html += row(tr("wheel, arrows"), tr("next cut"));
+  html += row(tr("right drag"), tr("grey window: width to the right, level upwards"));
+  html += row(tr("Ctrl + wheel, middle drag, R"), tr("zoom, shift, all again"));
+  html += row(tr("double click"), tr("the large one"));
   html += head(tr("While painting"));
   html += row(tr("left drag or click"), tr("what the tool does"));
   html += row(tr("Ctrl, Shift or Alt + drag"), tr("turn or move, as when not painting"));

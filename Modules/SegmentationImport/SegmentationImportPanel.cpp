@@ -1,5 +1,6 @@
 #include "Modules/SegmentationImport/SegmentationImportPanel.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QFileDialog>
 #include <QGroupBox>
@@ -84,6 +85,13 @@ void SegmentationImportPanel::addLabels() {
   labels->addWidget(mapFacts_);
   table_ = new LabelTable(this);
   labels->addWidget(table_);
+  auto* shown = new QCheckBox(tr("Show over the CT"), this);
+  shown->setObjectName("labelsShown");
+  shown->setToolTip(tr("Lay the labels over the CT in the slices"));
+  shown->setChecked(true);
+  labels->addWidget(shown);
+  connect(shown, &QCheckBox::toggled, this,
+          [this](bool on) { bench().view.edit([on](ViewOptions& options) { options.labelsShown = on; }); });
   connect(table_, &LabelTable::edited, this, &SegmentationImportPanel::readTable);
   connect(table_, &LabelTable::paintLabelChanged, segmentation_, &SegmentationBox::setPaintLabel);
   connect(table_, &LabelTable::colourWanted, this, &SegmentationImportPanel::chooseColour);

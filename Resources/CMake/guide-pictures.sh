@@ -46,8 +46,9 @@ for name in preop after distance_scan histogram update update_ct; do
   if [ -f "$pictures/$name.png" ]; then take "$pictures" "$name=$name"; fi
 done
 case=$work/demo/case
-window "$work/import" --only SegmentationImport "$case/labelmap.nii.gz"
-take "$work/import" window_import=SegmentationImport
+window "$work/segment" --only SegmentationImport "$case/ct.nii.gz"
+take "$work/segment" window_segment_seeds=SegmentationImport_seeds window_segment_front=SegmentationImport_front \
+  window_segment_mended=SegmentationImport_mended window_import=SegmentationImport_preview
 window "$work/steps" "$case"/{preop_painted.vtp,scan.vtp,preop_landmarks.mrk.json,scan_landmarks.mrk.json,ct.nii.gz} "$case"/structures/*.vtp
 take "$work/steps" window_paint_liver=PatchPainting_liver window_paint_line=PatchPainting_line window_paint_scan=PatchPainting \
   window_registration=Registration window_registration_result=Registration_result window_registration_poses=Registration_poses \

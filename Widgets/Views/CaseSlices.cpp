@@ -233,7 +233,7 @@ void CaseSlices::followOutlines() {
   };
   const auto add = [&](const std::string& part, const std::shared_ptr<const Surface>& was,
                        const std::shared_ptr<const Surface>& is) {
-    if (!visible(part)) return;
+    if (!was || !visible(part)) return;
     outlines.push_back({was, before(), true});
     if (is) outlines.push_back({is, kAfter, false});
   };
@@ -267,7 +267,7 @@ void CaseSlices::follow() {
   arrange();
   followExtent();
   // Without a CT the label map is the picture.
-  const bool labels = options.labelsShown && (options.slicesLarge || !case_.ct());
+  const bool labels = !case_.ct() || (options.slicesLarge && options.labelsShown);
   const SliceContent content{.ct = case_.ct(),
                              .labels = options.liveLabels ? options.liveLabels
                                        : labels           ? case_.labels()
