@@ -4,11 +4,14 @@
 #include <array>
 #include <numeric>
 
+#include "Logic/Core/Parallel.h"
+
 namespace falciform {
 
 namespace {
 
 constexpr int kLeafSize = 8;
+constexpr int kForkSize = 2048, kForks = 2;  // smaller parts are not worth a thread
 
 /// A node's box is cut at `lower` (where its left half ends) and `upper` (where its right half begins) along
 /// `axis`. A leaf has axis -1 and holds the entries [left, right).
@@ -38,9 +41,8 @@ struct KdTree::Tree {
   std::vector<Node> nodes;
   std::array<double, 3> lowest{}, highest{};
 
-  int build(int begin, int end) {
-    const int id = static_cast<int>(nodes.size());
-    nodes.emplace_back();
+  /// Sorts the entries [begin, end) into halves; a leaf stays whole. Returns where the right half begins.
+  int split(int begin, int end, Node& node) {
     std::array<double, 3> low, high;
     low.fill(std::numeric_limits<double>::infinity());
     high.fill(-std::numeric_limits<double>::infinity());
@@ -50,7 +52,7 @@ struct KdTree::Tree {
         low[a] = std::min(low[a], c);
         high[a] = std::max(high[a], c);
       }
-    if (id == 0) lowest = low, highest = high;
+    if (begin == 0 && end == static_cast<int>(entries.size())) lowest = low, highest = high;
     int axis = 0;
     for (int a = 1; a < 3; ++a)
       if (high[static_cast<std::size_t>(a)] - low[static_cast<std::size_t>(a)] >
@@ -59,8 +61,8 @@ struct KdTree::Tree {
     const auto first = entries.begin() + begin, last = entries.begin() + end;
     if (end - begin <= kLeafSize) {
       std::sort(first, last, [](const Entry& a, const Entry& b) { return a.index < b.index; });
-      nodes[static_cast<std::size_t>(id)] = {.left = begin, .right = end, .axis = -1};
-      return id;
+      node = {.left = begin, .right = end, .axis = -1};
+      return end;
     }
     const int middle = begin + (end - begin) / 2;
     const auto before = [axis](const Entry& a, const Entry& b) {
@@ -68,12 +70,49 @@ struct KdTree::Tree {
       return ca < cb || (ca == cb && a.index < b.index);
     };
     std::nth_element(first, entries.begin() + middle, last, before);
-    const double upper = coordinate(entries[static_cast<std::size_t>(middle)], axis);
-    const double lower = coordinate(*std::max_element(first, entries.begin() + middle, before), axis);
-    const int left = build(begin, middle);
-    const int right = build(middle, end);
-    nodes[static_cast<std::size_t>(id)] = {lower, upper, left, right, axis};
+    node.axis = axis;
+    node.upper = coordinate(entries[static_cast<std::size_t>(middle)], axis);
+    node.lower = coordinate(*std::max_element(first, entries.begin() + middle, before), axis);
+    return middle;
+  }
+
+  /// Appends the nodes over [begin, end), parents first.
+  int append(std::vector<Node>& built, int begin, int end) {
+    const int id = static_cast<int>(built.size());
+    built.emplace_back();
+    Node node;
+    const int middle = split(begin, end, node);
+    if (node.axis >= 0) {
+      node.left = append(built, begin, middle);
+      node.right = append(built, middle, end);
+    }
+    built[static_cast<std::size_t>(id)] = node;
     return id;
+  }
+
+  /// The nodes over [begin, end), parents first, children numbered from the first of these. The halves of the
+  /// upper `forks` levels are built beside each other: the tree is the same either way.
+  std::vector<Node> build(int begin, int end, int forks) {
+    std::vector<Node> built;
+    if (forks == 0 || end - begin <= kForkSize) {
+      append(built, begin, end);
+      return built;
+    }
+    Node root;
+    const int middle = split(begin, end, root);
+    std::array<std::vector<Node>, 2> halves;
+    forEachChunk(2, 1, [&](std::size_t h, std::size_t) {
+      halves[h] = h == 0 ? build(begin, middle, forks - 1) : build(middle, end, forks - 1);
+    });
+    root.left = 1;
+    root.right = 1 + static_cast<int>(halves[0].size());
+    built.push_back(root);
+    for (const int child : {root.left, root.right})
+      for (Node node : halves[child == root.left ? 0 : 1]) {
+        if (node.axis >= 0) node.left += child, node.right += child;
+        built.push_back(node);
+      }
+    return built;
   }
 
   /// Visits leaves that may hold a point with squared distance <= `bound()`, near side first. `gaps` are the
@@ -130,8 +169,7 @@ KdTree::KdTree(const Points& points, const std::vector<int>& ids) : size_(static
   auto tree = std::make_shared<Tree>();
   tree->entries.reserve(ids.size());
   for (const int i : ids) tree->entries.push_back({points(i, 0), points(i, 1), points(i, 2), i});
-  tree->nodes.reserve(ids.size() / 2);
-  tree->build(0, size_);
+  tree->nodes = tree->build(0, size_, kForks);
   tree_ = std::move(tree);
 }
 

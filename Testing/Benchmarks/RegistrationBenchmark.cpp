@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 
 #include "Testing/Benchmarks/Comparisons.h"
@@ -37,8 +38,13 @@ void printCase(const BenchCase& c) {
 }  // namespace
 }  // namespace falciform::bench
 
-int main() {
+int main(int argc, char** argv) {
   using namespace falciform::bench;
+  const bool quick = argc == 2 && std::strcmp(argv[1], "--quick") == 0;
+  if (argc > 1 && !quick) {
+    std::fputs("bench-registration [--quick]; quick: from any pose only, without VTK and PCL\n", stderr);
+    return 2;
+  }
   printMachine();
   std::vector<BenchCase> cases{builtInCase(), phantomCase()};
   for (const char* name : {"ircad17_left", "ircad8_both"}) {
@@ -50,6 +56,10 @@ int main() {
   for (const BenchCase& c : cases) printCase(c);
   std::puts("");
   printHead();
+  if (quick) {
+    for (const BenchCase& c : cases) compareRegistrations(c, 0);
+    return 0;
+  }
   compareNeighbours(cases.front());
   for (std::size_t k = 0; k < cases.size(); ++k) compareAll(cases[k], k == 0 ? 3 : 1);
 }

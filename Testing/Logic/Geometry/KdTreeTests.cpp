@@ -33,7 +33,7 @@ Neighbour bruteForce(const Points& points, const Vector3d& query) {
 }
 
 TEST(KdTree, EqualsBruteForceBitForBit) {
-  for (const int count : {1, 2, 7, 9, 100, 3000}) {
+  for (const int count : {1, 2, 7, 9, 100, 3000, 20'000}) {
     const Points points = uniform(count, 1);
     const KdTree tree(points);
     const Points queries = uniform(500, 2, 150);
