@@ -17,8 +17,9 @@ namespace {
 constexpr int kPatchRotations = 72, kSurfaceRotations = 300;
 constexpr std::size_t kRefined = 12;  // at most so many poses are refined on the whole sample
 constexpr Index kQuickPoints = 150;
-constexpr std::size_t kFewer = 3;  // with patches one point in so many does at first
-constexpr int kFirstSteps = 10;    // then the worse two thirds are given up
+// With two patches one point in so many does at first; with one, wrong labels among few points mislead.
+constexpr std::size_t kFewer = 3;
+constexpr int kFirstSteps = 10;  // then the worse two thirds are given up
 constexpr std::size_t kPromising = 100;
 constexpr double kSameBasinMm = 10;  // poses that place the sample's box this near each other are one
 constexpr double kFacing = 0.3;      // cosine: what a scanner sees of a surface
@@ -120,12 +121,13 @@ std::vector<StartPose> startsFromPatches(const PreparedPreop& preop, const ScanS
   for (const Matrix3d& rotation : rotationGrid(kPatchRotations)) poses.push_back(poseOf(rotation, from, to));
 
   // Few points decide which poses are worth many.
+  const std::size_t fewer = on.size() > 1 ? kFewer : 1;
   std::vector<int> labelled, quickLabelled, quickAll;
   for (std::size_t i = 0; i < sample.labels.size(); ++i) {
     const int row = static_cast<int>(i);
     if (sample.labels[i] > 0) labelled.push_back(row);
-    if (sample.labels[i] > 0 && labelled.size() % kFewer == 0) quickLabelled.push_back(row);
-    if (i % kFewer == 0) quickAll.push_back(row);
+    if (sample.labels[i] > 0 && labelled.size() % fewer == 0) quickLabelled.push_back(row);
+    if (i % fewer == 0) quickAll.push_back(row);
   }
   const ScanSample patches = subsetOf(sample, labelled), quickPatches = subsetOf(sample, quickLabelled),
                    quick = subsetOf(sample, quickAll);
@@ -135,11 +137,12 @@ std::vector<StartPose> startsFromPatches(const PreparedPreop& preop, const ScanS
     scoreCoarsely(preop.coarse(), patches, pose);
   });
   keepDistinct(poses, corners, kRefined);
-  improveAll(poses, progress.part(0.4, 0.7), [&](StartPose& pose) {
-    alignCoarsely(preop.coarse(), quick, {30, 1, true}, 15, pose);
+  improveAll(poses, progress.part(0.4, fewer > 1 ? 0.7 : 1), [&](StartPose& pose) {
+    alignCoarsely(preop.coarse(), quick, {30, 1, true}, fewer > 1 ? 15 : 25, pose);
     scoreCoarsely(preop.coarse(), sample, pose);
   });
   keepDistinct(poses, corners, kRefined);
+  if (fewer == 1) return poses;
   improveAll(poses, progress.part(0.7, 1), [&](StartPose& pose) {
     alignCoarsely(preop.coarse(), sample, {1, 1, true}, 15, pose);
     scoreCoarsely(preop.coarse(), sample, pose);
