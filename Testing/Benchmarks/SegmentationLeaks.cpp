@@ -60,7 +60,9 @@ void table(const MaskedCt& liver, int draws) {
     const LevelSetResult result = segmentLevelSet({.ct = ct, .seeds = pointsOf(clicks)}, {});
     const MaskPair pair = cropped(result.labels, mask, liver.label);
     const double match = diceOf(pair), leaked = leakedMl(pair);
-    const bool warned = !result.warnings.empty(), leak = leaked > kLeakMl, isPoor = match < kPoorDice;
+    // What was taken in as enclosed is told in any case: that one says nothing of leaks.
+    const bool warned = result.warnings.size() > (result.enclosed.empty() ? 0u : 1u), leak = leaked > kLeakMl,
+               isPoor = match < kPoorDice;
     dice.push_back(match);
     leaks += leak;
     leaksSaid += leak && warned;

@@ -80,8 +80,8 @@ TEST(EnclosedTissue, MuscleAllAroundIsNotTakenIn) {
   EXPECT_THAT(bodiesIn(organCt({}, kMuscleHu)), IsEmpty());
 }
 
-TEST(EnclosedTissue, HalfSunkenBodyIsTheOrgansAtTheLungOnly) {
-  const std::vector<Ball> half{{beside(40), 14, kTumourHu}};
+TEST(EnclosedTissue, BodyLessThanHalfSunkenIsTheOrgansAtTheLungOnly) {
+  const std::vector<Ball> half{{beside(42), 14, kTumourHu}};
   EXPECT_THAT(bodiesIn(organCt(half, kLungHu)), SizeIs(1));
   EXPECT_THAT(bodiesIn(organCt(half, kFatHu)), IsEmpty());
 }
