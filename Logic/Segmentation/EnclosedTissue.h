@@ -12,13 +12,13 @@ struct EnclosedPlan {
   double darkHu = 70;           ///< the organ's own tissue begins here
   double brightHu = 130;        ///< and ends here
   double leastRadiusMm = 6;     ///< a body must hold such a ball; smaller ones are gaps, filled as such
-  double leastMl = 5;           ///< a ball of 21 mm; what is smaller is not worth a word
+  double leastMl = 2;           ///< a ball of 16 mm; what is smaller is not worth a word
   double narrowestMm = 4.5;     ///< necks thinner than this are no part of a body
   double rimMm = 15;            ///< rims of the organ's brightness are followed so far from the organ
   double enclosedShare = 0.55;  ///< of a body's border, lung left out, that the organ covers: above half of
                                 ///< it the organ's surface shrinks as it is taken in
-  double touchingShare = 0.4;  ///< of the whole border, lung counted: the heart lies on the liver with less
-  double mostShare = 0.2;      ///< of the organ's volume: a larger body is a neighbour
+  double touchingShare = 0.4;   ///< of the whole border, lung counted: the heart lies on the liver with less
+  double mostShare = 0.2;       ///< of the organ's volume: a larger body is a neighbour
 };
 
 /// A body of darker tissue with the organ around it.

@@ -49,7 +49,8 @@ using LevelSetPreview = std::function<void(const Mask& soFar)>;
 
 /// Segments an organ of even brightness from a few clicks (thesis ch. II, Eq. II.1): the tissue's statistics
 /// from the seeds' neighbourhoods; a first growth on the coarsest level, whose front remembers the narrowest
-/// place it came through; then a level set with an accumulative speed from coarse to fine; then the piece or
+/// place it came through; then darker bodies that it encloses for the most part (enclosedBodies), each a
+/// tissue of its own; then a level set with an accumulative speed from coarse to fine; then the piece or
 /// pieces with seeds, cavities filled. Seeds in tissue unlike the others' (a tumour) grow with their own
 /// statistics. Warns wherever the front may have leaked, or may have stopped short. Independent of how the
 /// volume is stored and of the number of threads. Throws InputError for an empty or unusable volume, no seed

@@ -17,7 +17,7 @@
 namespace falciform::bench {
 namespace {
 
-constexpr int kTumours = 10;      // painted on each liver, one at a time
+constexpr int kTumours = 5;       // painted on each liver, one at a time
 constexpr double kVoxelMm = 3.2;  // of the first growth
 constexpr double kMarginMm = 40;
 constexpr float kOrganHu = 100, kMuscleHu = 55, kFatHu = -90, kTumourHu = 50;
