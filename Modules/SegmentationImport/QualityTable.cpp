@@ -18,7 +18,8 @@ QualityTable::QualityTable(QWidget* parent) : QTableWidget(0, 2, parent) {
       "The surface beside the voxels it was made of. Distances in mm, both ways between the surface and the "
       "voxels' faces; a good smooth surface has a mean of 0.1 to 0.25 voxels"));
   setHorizontalHeaderLabels({tr("Quality"), tr("Value")});
-  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(22);
   setEditTriggers(QAbstractItemView::NoEditTriggers);

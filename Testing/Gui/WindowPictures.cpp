@@ -82,6 +82,7 @@ void importPictures(MainWindow& window, Workbench& bench, const std::function<vo
   QTest::mouseRelease(axial, Qt::LeftButton, {}, from + QPoint(0, 40));
   save("SegmentationImport_mended");
   press(window, "undoSegmentation");
+  press(window, "eraseLabel");  // off again
   press(window, "previewSurface");
   waitIdle(bench);
   scrollTo(window, "labelTable");
