@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "Logic/Core/Parallel.h"
-
 namespace falciform {
 
 namespace {
 
-constexpr Index kStepMm = 3;          ///< between ends that are tried
-constexpr double kEvidenceMm = 50;    ///< length that EndsModel::evidence speaks of
-constexpr double kSureOdds = 3;       ///< log-odds count up to here
-constexpr double kLeastShare = 1e-4;  ///< of the likeliest pair: what is less likely is left out
+constexpr Index kStepMm = 3;        ///< between ends that are tried
+constexpr double kEvidenceMm = 50;  ///< length that EndsModel::evidence speaks of
+constexpr double kSureOdds = 3;     ///< log-odds count up to here
 constexpr double kLeastVariance = 1e-3;
 
 }  // namespace
@@ -48,35 +45,35 @@ EndsModel fitEnds(const std::vector<VectorXd>& numbers, const std::vector<double
 LineEnds likelyEnds(const TracedLine& line, const Eigen::MatrixXd& places, double sizeMm,
                     const EndsModel& model) {
   const Index n = line.points.rows();
-  VectorXd sum = VectorXd::Zero(n + 1);
-  for (Index i = 0; i < n; ++i) sum[i + 1] = sum[i] + std::clamp(line.logOdds[i], -kSureOdds, kSureOdds);
+  VectorXd summed = VectorXd::Zero(n + 1);
+  for (Index i = 0; i < n; ++i)
+    summed[i + 1] = summed[i] + std::clamp(line.logOdds[i], -kSureOdds, kSureOdds);
   std::vector<LineEnds> pairs;
   std::vector<double> odds;
   for (Index i = 0; i < n; i += kStepMm)
     for (Index j = i + static_cast<Index>(model.shortestMm); j < n; j += kStepMm) {
       const VectorXd off = endNumbers(line, places, sizeMm, {i, j}) - model.mean;
       pairs.push_back({i, j});
-      odds.push_back(model.evidence * (sum[j] - sum[i]) / kEvidenceMm - 0.5 * off.dot(model.precision * off));
+      odds.push_back(model.evidence * (summed[j] - summed[i]) / kEvidenceMm -
+                     0.5 * off.dot(model.precision * off));
     }
   if (pairs.empty()) return {0, std::max<Index>(n - 1, 0)};
+  // How likely each point lies between the ends: every pair adds its share from its first point to its last.
   const double best = *std::max_element(odds.begin(), odds.end());
-  std::vector<std::size_t> likely;
-  for (std::size_t p = 0; p < pairs.size(); ++p)
-    if (odds[p] - best > std::log(kLeastShare)) likely.push_back(p);
-  VectorXd expected = VectorXd::Zero(static_cast<Index>(pairs.size()));
-  forEachChunk(pairs.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p)
-      for (const std::size_t truth : likely) {
-        const auto [a, b] = pairs[p];
-        const auto [c, d] = pairs[truth];
-        const auto common = static_cast<double>(std::max<Index>(0, std::min(b, d) - std::max(a, c)));
-        expected[static_cast<Index>(p)] +=
-            std::exp(odds[truth] - best) * common / static_cast<double>(std::max(b - a, d - c));
-      }
-  });
-  Index chosen = 0;
-  expected.maxCoeff(&chosen);
-  return pairs[static_cast<std::size_t>(chosen)];
+  VectorXd between = VectorXd::Zero(n + 1);
+  double total = 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const double share = std::exp(odds[p] - best);
+    between[pairs[p].first] += share;
+    between[pairs[p].last + 1] -= share;
+    total += share;
+  }
+  LineEnds ends{n, 0};
+  double sum = 0;
+  for (Index i = 0; i < n; ++i)
+    if ((sum += between[i]) >= 0.5 * total) ends = {std::min(ends.first, i), i};
+  if (ends.first < ends.last) return ends;
+  return pairs[static_cast<std::size_t>(std::max_element(odds.begin(), odds.end()) - odds.begin())];
 }
 
 }  // namespace falciform

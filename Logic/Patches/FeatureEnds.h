@@ -29,8 +29,8 @@ struct EndsModel {
 [[nodiscard]] EndsModel fitEnds(const std::vector<VectorXd>& numbers, const std::vector<double>& weights,
                                 double share = 0.1);
 
-/// The ends that are best on average over what is likely: the largest expected smaller of recall and
-/// precision. The whole line if it is too short to choose.
+/// First and last point of the line that are more likely between the ends than beyond them, over all pairs of
+/// ends. The whole line if it is too short to choose.
 [[nodiscard]] LineEnds likelyEnds(const TracedLine& line, const Eigen::MatrixXd& places, double sizeMm,
                                   const EndsModel& model);
 

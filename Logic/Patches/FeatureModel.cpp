@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMiddleRight = 0.7, kMiddleLeft = -1.3;  ///< standard; where along the margin a notch may be
 constexpr double kNotchSideMm = 20;
+constexpr Index kSlopeMm = 20;  ///< to either side; points lie 1 mm apart
 
 /// Height and depth of the margin as functions of the place from right to left: linear between its points.
 class MarginProfile {
@@ -61,8 +62,20 @@ TracedLine traceMargin(const FeatureGround& ground, const FeatureModel& model) {
                    false);
 }
 
+Eigen::MatrixXd endPlaces(const FeatureGround& ground, const TracedLine& margin) {
+  const Points line = turnedLine(ground, margin.points);
+  const Index last = line.rows() - 1;
+  Eigen::MatrixXd places(line.rows(), 2);
+  for (Index i = 0; i <= last; ++i) {
+    const Eigen::RowVector3d way =
+        line.row(std::min(i + kSlopeMm, last)) - line.row(std::max<Index>(i - kSlopeMm, 0));
+    places.row(i) << margin.standard(i, 0), way.norm() > 0 ? way.z() / way.norm() : 0;
+  }
+  return places;
+}
+
 LineEnds ridgeEnds(const FeatureGround& ground, const TracedLine& margin, const FeatureModel& model) {
-  return likelyEnds(margin, margin.standard.leftCols(1), ground.sizeMm, model.ridgeEnds);
+  return likelyEnds(margin, endPlaces(ground, margin), ground.sizeMm, model.ridgeEnds);
 }
 
 Eigen::MatrixXd grooveDescriptors(const FeatureGround& ground, const TracedLine& margin) {

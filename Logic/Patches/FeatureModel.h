@@ -33,6 +33,9 @@ struct MarkedLiver {
 
 /// The whole margin from right to left, longer than what people mark.
 [[nodiscard]] TracedLine traceMargin(const FeatureGround& ground, const FeatureModel& model);
+/// What tells where people begin and end on the margin, a row a point: how far right it lies, in standard
+/// deviations, and how steeply the line climbs there (sine of the angle, from the patient's right to left).
+[[nodiscard]] Eigen::MatrixXd endPlaces(const FeatureGround& ground, const TracedLine& margin);
 /// The part of the margin that people would mark.
 [[nodiscard]] LineEnds ridgeEnds(const FeatureGround& ground, const TracedLine& margin,
                                  const FeatureModel& model);

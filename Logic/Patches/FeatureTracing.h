@@ -6,9 +6,9 @@ namespace falciform {
 /// How a line is drawn where places that look like a feature lie in a row. Numbers without a unit are of
 /// log-odds.
 struct TracingPlan {
-  double costFloor = 0.1;  ///< of a mm of path anywhere
-  double costOfDoubt = 1;  ///< of a mm, times log(1 + exp(-(log-odds + costShift)))
-  double costShift = -1;
+  /// Of a mm of path anywhere, beside minus the logarithm of its probability: small, so that the way round a
+  /// notch is not cut short.
+  double costFloor = 0.02;
   double costOffCrest = 0.3;  ///< of a mm, times 1 - crest
   double gainShift = 3, leastGain = -1,
          mostGain = 1.5;   ///< of a mm: log-odds + shift, clamped: ends the line

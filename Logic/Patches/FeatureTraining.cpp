@@ -96,7 +96,7 @@ FeatureModel trainFeatureModel(const std::vector<const MarkedLiver*>& livers, co
   for (const MarkedLiver* liver : livers) {
     const FeatureGround& ground = liver->ground;
     const TracedLine margin = traceMargin(ground, model);
-    ridgeExamples.add(margin, margin.standard.leftCols(1), ground.sizeMm,
+    ridgeExamples.add(margin, endPlaces(ground, margin), ground.sizeMm,
                       endsOnMark(margin, liver->ridge, kRidge.onMarkMm), liver->weight);
     gather(grooveDescriptors(ground, margin), ground, liver->groove, std::sqrt(liver->weight), kGroove,
            groove);

@@ -25,9 +25,8 @@ constexpr int kSteps = 10;  ///< of the mean that moves to where most is
 constexpr double kSmoothingMm = 3;
 constexpr double kMostAside = 0.6;  ///< mm to the side a mm upwards
 constexpr double kAcross = 0.7;     ///< a line runs across if so much of its way is from right to left
-constexpr double kMostRight = 0.7, kMostLeft = -1.3;  ///< standard; where the lobes meet
 constexpr double kFacing =
-    0.4;  ///< mean of the normals towards the front and the head on the front of the liver
+    0;  ///< of a normal towards the front and the head together: the front of the liver
 
 /// The vertices that count most, and what they weigh: mm^2 of likely groove.
 struct Mass {
@@ -112,6 +111,29 @@ CrestLineSettings shallow() {
   return settings;
 }
 
+/// The parts of a crest line that lie on the front of the liver: a groove's valley may go on around the
+/// margin and along the underside.
+std::vector<CrestLine> partsInFront(const FeatureGround& ground, const KdTree& vertices,
+                                    const CrestLine& line) {
+  std::vector<CrestLine> parts;
+  Index first = -1;
+  const Index count = line.points.rows();
+  for (Index i = 0; i <= count; ++i) {
+    const bool inFront =
+        i < count &&
+        ground.descriptors.row(vertices.nearest(line.points.row(i)).index).segment(4, 2).sum() > kFacing;
+    if (inFront && first < 0) first = i;
+    if (inFront || first < 0) continue;
+    CrestLine part;
+    part.points = line.points.middleRows(first, i - first);
+    for (Index k = 1; k < part.points.rows(); ++k)
+      part.lengthMm += (part.points.row(k) - part.points.row(k - 1)).norm();
+    parts.push_back(std::move(part));
+    first = -1;
+  }
+  return parts;
+}
+
 }  // namespace
 
 bool climbs(const FeatureGround& ground, const Points& line) {
@@ -120,23 +142,24 @@ bool climbs(const FeatureGround& ground, const Points& line) {
   return std::abs(way.x()) < kAcross * way.norm();
 }
 
-TracedLine valleyGroove(const FeatureGround& ground, const VectorXd& logOdds) {
-  for (const CrestLine& valley : crestLines(ground.surface, CrestKind::Valley, shallow())) {
-    if (!climbs(ground, valley.points)) continue;
-    TracedLine line = tracedLine(ground, logOdds, valley.points);
-    const double right = line.standard.col(0).mean();
-    if (right > kMostRight || right < kMostLeft) continue;
-    const KdTree vertices(ground.surface.points);
-    double facing = 0;
-    for (Index i = 0; i < line.points.rows(); ++i)
-      facing += ground.descriptors.row(vertices.nearest(line.points.row(i)).index).segment(4, 2).sum();
-    if (facing < kFacing * static_cast<double>(line.points.rows())) continue;
-    const Index last = line.standard.rows() - 1;
-    if (line.standard(0, 2) > line.standard(last, 2))
-      line = tracedLine(ground, logOdds, Points(valley.points.colwise().reverse()));
-    return line;
+Points valleysInFront(const FeatureGround& ground) {
+  const CrestLineSettings settings = shallow();
+  const KdTree vertices(ground.surface.points);
+  std::vector<Points> parts;
+  Index count = 0;
+  for (const CrestLine& whole : crestLines(ground.surface, CrestKind::Valley, settings))
+    for (CrestLine& valley : partsInFront(ground, vertices, whole)) {
+      if (valley.lengthMm < settings.leastLengthMm || !climbs(ground, valley.points)) continue;
+      count += valley.points.rows();
+      parts.push_back(std::move(valley.points));
+    }
+  Points all(count, 3);
+  Index at = 0;
+  for (const Points& part : parts) {
+    all.middleRows(at, part.rows()) = part;
+    at += part.rows();
   }
-  return {};
+  return all;
 }
 
 TracedLine fitGroove(const FeatureGround& ground, const VectorXd& logOdds) {

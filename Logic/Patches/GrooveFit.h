@@ -12,9 +12,8 @@ namespace falciform {
 /// Whether a line climbs rather than runs across the liver, as a groove does.
 [[nodiscard]] bool climbs(const FeatureGround& ground, const Points& line);
 
-/// The strongest valley line (crestLines) of the front of the liver, between its lobes, that climbs: for
-/// livers unlike those that people marked, whose groove can be seen. From foot to top; empty if there is
-/// none.
-[[nodiscard]] TracedLine valleyGroove(const FeatureGround& ground, const VectorXd& logOdds);
+/// Points of the valleys (crestLines, shallow ones too) of the front of the liver that climb, N x 3: of a
+/// valley that goes on around the margin only the part in front.
+[[nodiscard]] Points valleysInFront(const FeatureGround& ground);
 
 }  // namespace falciform

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "Logic/Patches/FeatureSuggestions.h"
-#include "Logic/Patches/GrooveFit.h"
+#include "Logic/Patches/GrooveCandidates.h"
 #include "Testing/Benchmarks/MarkedLivers.h"
 #include "Testing/Support/RealData.h"
 
@@ -61,7 +61,9 @@ Outcome outcomeOf(const bench::AnnotatedLiver& liver, const FeatureModel& model,
       bench::agreement(bench::alongEdges(liver.surface.points, edgesWithin(liver.surface, patch)),
                        liver.marked.ridge, kRidgeMm);
 
-  const TracedLine groove = fitGroove(ground, model.groove.logOdds(grooveDescriptors(ground, margin)));
+  const GrooveCandidates grooves =
+      grooveCandidates(ground, model.groove.logOdds(grooveDescriptors(ground, margin)), 3);
+  const TracedLine groove = grooves.lines.empty() ? TracedLine{} : grooves.lines.front();
   outcome.groove = bench::agreement(groove.points, liver.marked.groove, kGrooveMm);
   if (!folder.empty()) {
     writeLine(folder + "/" + liver.name + "_margin.csv", margin, ends);

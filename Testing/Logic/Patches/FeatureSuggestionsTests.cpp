@@ -72,14 +72,16 @@ TEST(FeatureSuggestions, PaintVerticesWithinHalfTheWidthOfTheirLine) {
   }
 }
 
-// Its lobes are unlike those that people marked: the groove is one of the candidates, and the doubt is said.
-TEST(FeatureSuggestions, HaveTheSyntheticLiversGrooveAmongTheCandidatesAndSayThatTheyDoubt) {
-  EXPECT_TRUE(
-      std::any_of(suggested().groove.begin(), suggested().groove.end(), [](const FeatureSuggestion& s) {
-        return shareNear(s.line, patch::kFalciform, 10) > 0.8 &&
-               shareFound(s.line, patch::kFalciform, 10) > 0.4;
-      }));
-  EXPECT_THAT(suggested().warnings, testing::Not(testing::IsEmpty()));
+// Its lobes are unlike those that people marked, so that other places look as likely: its valley decides,
+// fine mesh or coarse. Its marks go on over the dome, farther than people's: hence no more than 4 in 10.
+TEST(FeatureSuggestions, PutTheSyntheticLiversGrooveFirst) {
+  const FeatureSuggestion& first = suggested().groove.at(0);
+  EXPECT_GT(shareNear(first.line, patch::kFalciform, 10), 0.8);
+  EXPECT_GT(shareFound(first.line, patch::kFalciform, 10), 0.4);
+  SyntheticLiverSettings settings;
+  settings.edgeLengthMm = 2;
+  const FeatureSuggestions fine = suggestFeatures(makeSyntheticLiver(settings).surface);
+  EXPECT_GT(shareNear(fine.groove.at(0).line, patch::kFalciform, 10), 0.8);
   for (const FeatureSuggestion& s : suggested().groove) {
     EXPECT_EQ(s.label, patch::kFalciform);
     EXPECT_LT(s.line(0, 2), s.line(s.line.rows() - 1, 2));  // from foot to top
