@@ -62,6 +62,14 @@ TracedLine traceMargin(const FeatureGround& ground, const FeatureModel& model) {
                    false);
 }
 
+TracedLine traceSmoothMargin(const FeatureGround& ground, const FeatureModel& model) {
+  TracingPlan plan;
+  plan.costFloor = 0.1;
+  plan.costShift = -1;
+  return traceLine(ground, model.ridge.logOdds(ground.descriptors), crestOfGround(ground, false), plan, 0,
+                   false);
+}
+
 Eigen::MatrixXd endPlaces(const FeatureGround& ground, const TracedLine& margin) {
   const Points line = turnedLine(ground, margin.points);
   const Index last = line.rows() - 1;

@@ -36,11 +36,13 @@ struct MarkedLiver {
 /// What tells where people begin and end on the margin, a row a point: how far right it lies, in standard
 /// deviations, and how steeply the line climbs there (sine of the angle, from the patient's right to left).
 [[nodiscard]] Eigen::MatrixXd endPlaces(const FeatureGround& ground, const TracedLine& margin);
+/// The same cut short where it would go into notches: the way to this line tells best where the groove is.
+[[nodiscard]] TracedLine traceSmoothMargin(const FeatureGround& ground, const FeatureModel& model);
 /// The part of the margin that people would mark.
 [[nodiscard]] LineEnds ridgeEnds(const FeatureGround& ground, const TracedLine& margin,
                                  const FeatureModel& model);
 
-/// Descriptors of each vertex for the groove: those of the ground and 7 of the way to the margin.
+/// Descriptors of each vertex for the groove: those of the ground and 7 of the way to the smooth margin.
 [[nodiscard]] Eigen::MatrixXd grooveDescriptors(const FeatureGround& ground, const TracedLine& margin);
 /// In [0, 1] a vertex: how much it is the top of a ridge (or the bottom of a valley), both sharp and
 /// outermost.

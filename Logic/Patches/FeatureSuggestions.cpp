@@ -111,7 +111,7 @@ FeatureSuggestions suggestFeatures(const Surface& surface, const SuggestionSetti
   FeatureSuggestions all;
   suggestRidge(surface, ground, margin, settings, all);
   progress.report(0.85, "Groove");
-  suggestGroove(surface, ground, margin, settings, all);
+  suggestGroove(surface, ground, traceSmoothMargin(ground, builtInFeatureModel()), settings, all);
   progress.report(1, "Groove");
   return all;
 }

@@ -108,7 +108,7 @@ Points smoothedLine(const Points& polyline, double sigmaMm) {
 TracedLine traceLine(const FeatureGround& ground, const VectorXd& logOdds, const VectorXd& crest,
                      const TracingPlan& plan, int axis, bool reversed) {
   const VectorXd cost = VectorXd::NullaryExpr(logOdds.size(), [&](Index i) {
-    const double doubt = std::log1p(std::exp(-std::clamp(logOdds[i], -12.0, 12.0)));
+    const double doubt = std::log1p(std::exp(-std::clamp(logOdds[i] + plan.costShift, -12.0, 12.0)));
     return plan.costFloor + doubt + plan.costOffCrest * (1 - crest[i]);
   });
   const VectorXd gain = (logOdds.array() + plan.gainShift).max(plan.leastGain).min(plan.mostGain).matrix();

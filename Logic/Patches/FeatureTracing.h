@@ -9,6 +9,7 @@ struct TracingPlan {
   /// Of a mm of path anywhere, beside minus the logarithm of its probability: small, so that the way round a
   /// notch is not cut short.
   double costFloor = 0.02;
+  double costShift = 0;       ///< added to the log-odds for that
   double costOffCrest = 0.3;  ///< of a mm, times 1 - crest
   double gainShift = 3, leastGain = -1,
          mostGain = 1.5;   ///< of a mm: log-odds + shift, clamped: ends the line

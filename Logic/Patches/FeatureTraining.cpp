@@ -98,8 +98,8 @@ FeatureModel trainFeatureModel(const std::vector<const MarkedLiver*>& livers, co
     const TracedLine margin = traceMargin(ground, model);
     ridgeExamples.add(margin, endPlaces(ground, margin), ground.sizeMm,
                       endsOnMark(margin, liver->ridge, kRidge.onMarkMm), liver->weight);
-    gather(grooveDescriptors(ground, margin), ground, liver->groove, std::sqrt(liver->weight), kGroove,
-           groove);
+    gather(grooveDescriptors(ground, traceSmoothMargin(ground, model)), ground, liver->groove,
+           std::sqrt(liver->weight), kGroove, groove);
   }
   model.ridgeEnds = fitEnds(ridgeExamples.numbers, ridgeExamples.weights);
   model.ridgeEnds.shortestMm = 60;

@@ -61,8 +61,8 @@ Outcome outcomeOf(const bench::AnnotatedLiver& liver, const FeatureModel& model,
       bench::agreement(bench::alongEdges(liver.surface.points, edgesWithin(liver.surface, patch)),
                        liver.marked.ridge, kRidgeMm);
 
-  const GrooveCandidates grooves =
-      grooveCandidates(ground, model.groove.logOdds(grooveDescriptors(ground, margin)), 3);
+  const GrooveCandidates grooves = grooveCandidates(
+      ground, model.groove.logOdds(grooveDescriptors(ground, traceSmoothMargin(ground, model))), 3);
   const TracedLine groove = grooves.lines.empty() ? TracedLine{} : grooves.lines.front();
   outcome.groove = bench::agreement(groove.points, liver.marked.groove, kGrooveMm);
   if (!folder.empty()) {
