@@ -170,15 +170,28 @@ void add(const RbfLattice& level, const Points& points, Fitted& fitted) {
   });
 }
 
-/// Solves for a level's coefficients.
-RbfLevelReport fitLevel(RbfLattice& lattice, const Points& points, const Points& normals,
-                        const Fitted& fitted, const RbfLevelPlan& plan) {
-  RbfWanted missing{-fitted.value, VectorXd(points.rows())};
-  for (Index i = 0; i < points.rows(); ++i) missing.slope[i] = 1 - normals.row(i).dot(fitted.gradient.row(i));
+/// Solves for a level's coefficients and adds the level to what there is. What the penalty has kept from the
+/// residual is given to it again ("twicing", Tukey 1977): long waves come through whole, the noise's short
+/// ones hardly more than before.
+RbfLevelReport fitLevel(RbfLattice& lattice, const Points& points, const Points& normals, Fitted& fitted,
+                        const RbfLevelPlan& plan) {
   const RbfSystem system(lattice, points, normals, plan);
-  const RbfSystem::Solution solution = system.solve(missing, kTolerance, kMostIterations);
-  lattice.setCoefficients(solution.coefficients);
-  return {lattice.step(), std::ssize(lattice.centres()), solution.iterations, solution.converged};
+  RbfLevelReport report{lattice.step(), std::ssize(lattice.centres())};
+  VectorXd coefficients = VectorXd::Zero(report.functions);
+  constexpr int kPasses = 2;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    RbfWanted missing{-fitted.value, VectorXd(points.rows())};
+    for (Index i = 0; i < points.rows(); ++i)
+      missing.slope[i] = 1 - normals.row(i).dot(fitted.gradient.row(i));
+    const RbfSystem::Solution solution = system.solve(missing, kTolerance, kMostIterations);
+    report.iterations += solution.iterations;
+    report.converged = report.converged && solution.converged;
+    lattice.setCoefficients(solution.coefficients);
+    add(lattice, points, fitted);
+    coefficients += solution.coefficients;
+  }
+  lattice.setCoefficients(coefficients);
+  return report;
 }
 
 double rms(const VectorXd& values) {
@@ -227,7 +240,6 @@ RbfFitResult fitRbf(const Points& points, const Points& normals, const RbfFitPla
     const double penalty = std::pow(wave, 6) / (result.spacingMm * result.spacingMm * kBandSteps * step);
     result.levels.push_back(
         fitLevel(lattice, points, fitted.normals(normals), fitted, {kSlopeWeight * step, penalty}));
-    add(lattice, points, fitted);
     result.levels.back().rmsMm = rms(fitted.distances());
     lattices.push_back(std::move(lattice));
   }

@@ -11,7 +11,7 @@ struct RbfFitPlan {
   double noiseMm = 0;     ///< standard deviation of the points across the surface; 0: found from the points
   double finestMm = 0;    ///< step between the finest functions; 0: from the points' spacing
   double coarsestMm = 0;  ///< of the coarsest; 0: an eighth of the points' extent
-  double cutoff = 3;      ///< waves shorter than so many steps are taken for noise by a level
+  double cutoff = 3.4;    ///< waves shorter than so many steps are taken for noise by a level
 };
 
 /// One level of the fit.

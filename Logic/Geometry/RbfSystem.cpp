@@ -24,9 +24,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 RbfSystem::RbfSystem(const RbfLattice& lattice, const Points& points, const Points& normals,
                      const RbfLevelPlan& plan)
-    : lattice_(lattice),
-      stiffness_(rbfCellStiffness(lattice.kernel())),
-      slopeWeight2_(plan.slopeWeightMm * plan.slopeWeightMm) {
+    : lattice_(lattice), slopeWeight2_(plan.slopeWeightMm * plan.slopeWeightMm) {
   constexpr int overlap = 2 * kReach - 1;
   const Vector3i counts = lattice.counts();
   largestShift_ = lattice.node(overlap, overlap, overlap);
@@ -53,11 +51,11 @@ RbfSystem::RbfSystem(const RbfLattice& lattice, const Points& points, const Poin
   listEntries(points, normals);
   listPlanes(points);
   const double h = lattice.step();
-  const double penalty = plan.penalty / (h * h * h);  // third derivatives squared, times a cell
+  listStencils(plan.penalty / (h * h * h));  // third derivatives squared, times a cell
   forEachChunk(at(counts.z()), 1, [&](std::size_t plane, std::size_t) {
     if (planeRow_[plane] == planeRow_[plane + 1]) return;
     addSamples(static_cast<int>(plane));
-    addCells(penalty, static_cast<int>(plane));
+    addCells(static_cast<int>(plane));
   });
   mirror();
 }
@@ -97,12 +95,12 @@ void RbfSystem::listEntries(const Points& points, const Points& normals) {
   for (const auto& list : chunks) entries_.insert(entries_.end(), list.begin(), list.end());
 }
 
-/// The points that something reaches, and the cells near them, by plane of the lattice.
+/// The points that something reaches, by plane of the lattice, and the cells near them.
 void RbfSystem::listPlanes(const Points& points) {
   const auto count = static_cast<std::size_t>(points.rows());
   const Vector3i counts = lattice_.counts();
   pointsInPlane_.assign(at(counts.z()), {});
-  std::vector<char> near(lattice_.nodes(), 0);
+  charged_.assign(lattice_.nodes(), 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (entryBegin_[i] == entryBegin_[i + 1]) continue;
     const Vector3d place = lattice_.coordinates(points.row(static_cast<Index>(i)));
@@ -112,12 +110,20 @@ void RbfSystem::listPlanes(const Points& points) {
       for (int y = cell.y() - 1; y <= cell.y() + 1; ++y)
         for (int x = cell.x() - 1; x <= cell.x() + 1; ++x)
           if ((place - Vector3d(x + 0.5, y + 0.5, z + 0.5)).squaredNorm() <= kBand * kBand)
-            near[at(lattice_.node(x, y, z))] = 1;
+            charged_[at(lattice_.node(x, y, z))] = 1;
   }
-  cellsInPlane_.assign(at(counts.z()), {});
-  for (std::size_t c = 0; c < near.size(); ++c)
-    if (near[c] != 0)
-      cellsInPlane_[at(lattice_.coordinatesOf(static_cast<int>(c)).z())].push_back(static_cast<int>(c));
+}
+
+void RbfSystem::listStencils(double penalty) {
+  const RbfCellStiffness cell = rbfCellStiffness(lattice_.kernel());
+  const int middle = slotOf_[at(largestShift_)];
+  for (const Vector3i& node : cell.nodes) cellShift_.push_back(lattice_.node(node.x(), node.y(), node.z()));
+  for (std::size_t a = 0; a < cellShift_.size(); ++a) {
+    stencil_.emplace_back(VectorXd::Zero(width_ - middle));
+    for (std::size_t b = a; b < cellShift_.size(); ++b)
+      if (const int slot = slotOf_[at(cellShift_[b] - cellShift_[a] + largestShift_)]; slot >= 0)
+        stencil_[a][slot - middle] = penalty * cell.matrix(static_cast<Index>(a), static_cast<Index>(b));
+  }
 }
 
 /// Calls body(point, first, end, last) for the points whose functions first to end stand in the plane.
@@ -158,27 +164,15 @@ VectorXd RbfSystem::rightSide(const RbfWanted& wanted) const {
   return right;
 }
 
-void RbfSystem::addCells(double penalty, int plane) {
-  const RbfCellStiffness& cell = stiffness_;
-  const int last = lattice_.counts().z() - 1;
-  const Index count = std::ssize(cell.nodes);
-  std::vector<int> shift(at(static_cast<int>(count)));
-  for (std::size_t k = 0; k < shift.size(); ++k)
-    shift[k] = lattice_.node(cell.nodes[k].x(), cell.nodes[k].y(), cell.nodes[k].z());
-  for (int z = std::max(0, plane - kReach); z <= std::min(last, plane + kReach - 1); ++z)
-    for (const int corner : cellsInPlane_[at(z)])
-      for (Index a = 0; a < count; ++a) {
-        if (z + cell.nodes[at(static_cast<int>(a))].z() != plane) continue;
-        const int node = corner + shift[at(static_cast<int>(a))], row = rowOf_[at(node)];
-        if (row < 0) continue;
-        double* values = &matrix_[at(row) * at(width_)];
-        const double* charge = cell.matrix.col(a).data();
-        for (Index b = a; b < count; ++b) {
-          const int other = corner + shift[at(static_cast<int>(b))];
-          const int slot = slotOf_[at(other - node + largestShift_)];
-          if (slot >= 0) values[slot] += penalty * charge[b];
-        }
-      }
+/// The charge of the cells around each node of a plane.
+void RbfSystem::addCells(int plane) {
+  const int middle = slotOf_[at(largestShift_)];
+  for (int row = planeRow_[at(plane)]; row < planeRow_[at(plane) + 1]; ++row) {
+    const int node = lattice_.centres()[at(row)];
+    Eigen::Map<VectorXd> values(&matrix_[at(row) * at(width_) + at(middle)], width_ - middle);
+    for (std::size_t a = 0; a < cellShift_.size(); ++a)
+      if (charged_[at(node - cellShift_[a])] != 0) values += stencil_[a];
+  }
 }
 
 void RbfSystem::mirror() {

@@ -46,13 +46,13 @@ class RbfSystem {
   void addSamples(int plane);
   template <class Body>
   void forPointsOf(int plane, Body&& body) const;
-  void addCells(double penalty, int plane);
+  void listStencils(double penalty);
+  void addCells(int plane);
   void mirror();
   [[nodiscard]] VectorXd rightSide(const RbfWanted& wanted) const;
   [[nodiscard]] VectorXd times(const VectorXd& x, std::vector<double>& onNodes) const;
 
   const RbfLattice& lattice_;
-  RbfCellStiffness stiffness_;
   double slopeWeight2_;
   // The offsets between nodes that overlap, in runs along x, each symmetric about its middle.
   struct Run {
@@ -68,7 +68,12 @@ class RbfSystem {
 
   std::vector<std::size_t> entryBegin_;  // by point
   std::vector<Entry> entries_;
-  std::vector<std::vector<int>> pointsInPlane_, cellsInPlane_;
+  std::vector<std::vector<int>> pointsInPlane_;
+  std::vector<char> charged_;  // by node: whether the cell above it is near a point
+  // What a charged cell adds to the row of a node, by where the node stands from the cell's corner: entries
+  // at and right of the diagonal.
+  std::vector<int> cellShift_;
+  std::vector<VectorXd> stencil_;
 };
 
 }  // namespace falciform

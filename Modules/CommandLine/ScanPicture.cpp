@@ -15,24 +15,6 @@ namespace {
 constexpr ScanMark kMarks[] = {ScanMark::Outlier, ScanMark::Grazing, ScanMark::SmallPiece,
                                ScanMark::OtherTissue, ScanMark::ByHand};
 
-Vector3d colourOf(ScanMark mark) {
-  switch (mark) {
-    case ScanMark::Outlier:
-      return {0.84, 0.37, 0.0};
-    case ScanMark::Grazing:
-      return {0.90, 0.62, 0.0};
-    case ScanMark::SmallPiece:
-      return {0.80, 0.47, 0.65};
-    case ScanMark::OtherTissue:
-      return {0.34, 0.71, 0.91};
-    case ScanMark::ByHand:
-      return {0.94, 0.89, 0.26};
-    case ScanMark::Kept:
-      break;
-  }
-  return kLiverColour;
-}
-
 std::shared_ptr<const Surface> paintedByMarks(const MarkedScan& marked) {
   auto painted = std::make_shared<Surface>(marked.scan);
   painted->texture.reset();
@@ -41,7 +23,7 @@ std::shared_ptr<const Surface> paintedByMarks(const MarkedScan& marked) {
     painted->colours = (255 * kLiverColour).cast<std::uint8_t>().transpose().replicate(painted->size(), 1);
   for (Index i = 0; i < painted->size(); ++i)
     if (const ScanMark mark = marked.marks[static_cast<std::size_t>(i)]; mark != ScanMark::Kept)
-      painted->colours.row(i) = (255 * colourOf(mark)).cast<std::uint8_t>().transpose();
+      painted->colours.row(i) = (255 * scanMarkColour(mark)).cast<std::uint8_t>().transpose();
   return painted;
 }
 
@@ -62,7 +44,7 @@ RenderedImage scanPicture(const MarkedScan& marked, const Surface& prepared) {
   std::vector<LegendEntry> entries;
   for (const ScanMark mark : kMarks)
     if (const Index count = marked.count(mark); count > 0)
-      entries.push_back({colourOf(mark), enumToString(mark) + ": " + std::to_string(count)});
+      entries.push_back({scanMarkColour(mark), enumToString(mark) + ": " + std::to_string(count)});
   return sheetOf({tile("As scanned", std::make_shared<const Surface>(marked.scan), {}),
                   tile("", paintedByMarks(marked), entries),
                   tile("Prepared", std::make_shared<const Surface>(prepared), {})},

@@ -61,6 +61,11 @@ window "$work/update" --only AtlasUpdate "$work/packed"
 take "$work/update" window_update_settling=AtlasUpdate_settling window_update_expected=AtlasUpdate_expected_error \
   window_update_compared=AtlasUpdate_all window_update_scan_next=AtlasUpdate_scan_next
 
+# A scan of a busy room, raw.
+"$falciform" synthesise --drape --instruments 3 --smoke 0.01 --baseline 150 --dropout 0.3 --photograph --out "$work/room" --force >/dev/null
+window "$work/scan" --only ScanPreparation "$work/room/scan_raw.vtp"
+take "$work/scan" window_scan=ScanPreparation
+
 # Seven cases of two kinds beside each other.
 rm -rf "$work/cases" && mkdir -p "$work/cases"
 for seed in 1 2 3 4 5 6 7; do

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "Logic/Acquisition/ScanPreparationLogic.h"
 #include "Testing/Support/SmallSurfaces.h"
 #include "Widgets/Rendering/PatchColours.h"
 #include "Widgets/Rendering/ScalarMap.h"
@@ -48,6 +49,17 @@ TEST(PatchColours, FalciformAndRidgeStandOutForEveryEye) {
           << "eye " << eye << ", label " << label;
       EXPECT_GT(difference(patchColour(label), kScanColour, eye), 20) << "eye " << eye << ", label " << label;
     }
+  }
+}
+
+TEST(PatchColours, MarksOfAScanAreNotTakenForPatchesOrLiver) {
+  for (const ScanMark mark : {ScanMark::Outlier, ScanMark::Grazing, ScanMark::SmallPiece,
+                              ScanMark::OtherTissue, ScanMark::ByHand}) {
+    const Vector3d colour = patchColour(scan_label::kFirst + static_cast<int>(mark));
+    EXPECT_EQ(colour, scanMarkColour(mark));
+    for (const int label : {1, 2})
+      EXPECT_GT(difference(colour, patchColour(label), 0), 20) << enumToString(mark) << ", label " << label;
+    EXPECT_GT(difference(colour, kLiverColour, 0), 20) << enumToString(mark);
   }
 }
 

@@ -2,9 +2,12 @@
 
 #include <array>
 
+#include "Logic/Acquisition/ScanPreparationLogic.h"
+
 namespace falciform {
 
 Vector3d patchColour(int label) {
+  if (scan_label::goes(label)) return scanMarkColour(static_cast<ScanMark>(label - scan_label::kFirst));
   static const std::array<Vector3d, 7> palette{Vector3d(0, 114, 178),    // blue: falciform
                                                Vector3d(240, 228, 66),   // yellow: inferior ridge
                                                Vector3d(0, 158, 115),    // bluish green
@@ -12,8 +15,28 @@ Vector3d patchColour(int label) {
                                                Vector3d(86, 180, 233),   // sky blue
                                                Vector3d(230, 159, 0),    // orange
                                                Vector3d(213, 94, 0)};    // vermilion
-  const auto place = static_cast<std::size_t>(label < 1 ? 0 : label - 1) % palette.size();
+  constexpr int seed = 3;
+  const int shown = label == scan_label::kSeed ? seed : label;
+  const auto place = static_cast<std::size_t>(shown < 1 ? 0 : shown - 1) % palette.size();
   return palette[place] / 255.0;
+}
+
+Vector3d scanMarkColour(ScanMark mark) {
+  switch (mark) {
+    case ScanMark::Outlier:
+      return {0.84, 0.37, 0.0};
+    case ScanMark::Grazing:
+      return {0.90, 0.62, 0.0};
+    case ScanMark::SmallPiece:
+      return {0.80, 0.47, 0.65};
+    case ScanMark::OtherTissue:
+      return {0.34, 0.71, 0.91};
+    case ScanMark::ByHand:
+      return {0.35, 0.35, 0.35};
+    case ScanMark::Kept:
+      break;
+  }
+  return kLiverColour;
 }
 
 Vector3d supportColour(SupportRegionKind kind, int label) {
