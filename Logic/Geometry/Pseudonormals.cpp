@@ -15,6 +15,11 @@ struct HalfEdge {
 
 }  // namespace
 
+Vector3d faceNormal(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  const Vector3d cross = (b - a).cross(c - a);
+  return cross.squaredNorm() > 0 ? cross.stableNormalized() : Vector3d::Zero();
+}
+
 Pseudonormals pseudonormals(const Points& points, const Triangles& triangles) {
   const std::vector<int> first = firstInSamePlace(points);
   const auto place = [&](Index t, int k) { return first[static_cast<std::size_t>(triangles(t, k % 3))]; };
@@ -28,8 +33,7 @@ Pseudonormals pseudonormals(const Points& points, const Triangles& triangles) {
   for (Index t = 0; t < triangles.rows(); ++t) {
     std::array<Vector3d, 3> p;
     for (int k = 0; k < 3; ++k) p[static_cast<std::size_t>(k)] = points.row(triangles(t, k));
-    const Vector3d cross = (p[1] - p[0]).cross(p[2] - p[0]);
-    if (cross.squaredNorm() > 0) normals.face.row(t) = cross.stableNormalized();
+    normals.face.row(t) = faceNormal(p[0], p[1], p[2]).transpose();
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d u = p[(k + 1) % 3] - p[k], v = p[(k + 2) % 3] - p[k];
       const double angle = std::atan2(u.cross(v).norm(), u.dot(v));

@@ -14,6 +14,10 @@ struct Pseudonormals {
       edge;       ///< per triangle ab, bc, ca: sum of the unit normals of the edge's triangles
   Points corner;  ///< N x 3: sum of unit normals weighted by the angle at the vertex
 };
+
+/// Unit normal of the triangle abc, on the side from which it is seen counter-clockwise; zero without area.
+[[nodiscard]] Vector3d faceNormal(const Vector3d& a, const Vector3d& b, const Vector3d& c);
+
 [[nodiscard]] Pseudonormals pseudonormals(const Points& points, const Triangles& triangles);
 
 }  // namespace falciform

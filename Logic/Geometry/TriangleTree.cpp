@@ -1,6 +1,7 @@
 #include "Logic/Geometry/TriangleTree.h"
 
 #include <cmath>
+#include <mutex>
 #include <vector>
 
 #include "Logic/Core/Errors.h"
@@ -30,9 +31,7 @@ BoxTree boxesOf(const Surface& surface) {
 
 struct TriangleTree::Tree {
   explicit Tree(const Surface& surface)
-      : boxes(boxesOf(surface)),
-        triangles(surface.triangles),
-        normals(pseudonormals(surface.points, triangles)) {
+      : boxes(boxesOf(surface)), points(surface.points), triangles(surface.triangles) {
     corners.reserve(boxes.order().size());
     for (const int t : boxes.order()) {
       Corners c{surface.points.row(triangles(t, 0)), surface.points.row(triangles(t, 1)),
@@ -43,6 +42,7 @@ struct TriangleTree::Tree {
   }
 
   [[nodiscard]] Vector3d normalAt(int triangle, TrianglePart part) const {
+    std::call_once(normalsMade, [&] { normals = pseudonormals(points, triangles); });
     if (part == TrianglePart::Face) return normals.face.row(triangle);
     const int edge = static_cast<int>(part) - static_cast<int>(TrianglePart::EdgeAb);
     if (edge < 3) return normals.edge[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(edge)];
@@ -50,14 +50,21 @@ struct TriangleTree::Tree {
   }
 
   BoxTree boxes;
+  Points points;
   Triangles triangles;
-  Pseudonormals normals;
+  mutable std::once_flag normalsMade;  // who only casts rays, as the brush does, does not wait for them
+  mutable Pseudonormals normals;
   std::vector<Corners> corners;  ///< in the order of the leaves
 };
 
 TriangleTree::TriangleTree(const Surface& surface) : tree_(std::make_shared<const Tree>(surface)) {}
 
-ClosestPlace TriangleTree::closest(const Vector3d& query, double bound) const {
+struct TriangleTree::Found {
+  ClosestPlace place;
+  TrianglePart part = TrianglePart::Face;
+};
+
+TriangleTree::Found TriangleTree::find(const Vector3d& query, double bound) const {
   double best = bound * bound;
   int bestTriangle = std::numeric_limits<int>::max();
   PlaceOnTriangle bestPlace;
@@ -73,14 +80,19 @@ ClosestPlace TriangleTree::closest(const Vector3d& query, double bound) const {
       }
     }
   });
-  ClosestPlace result;
-  if (bestTriangle == std::numeric_limits<int>::max()) return result;
-  result.triangle = bestTriangle;
-  result.point = bestPlace.point;
-  result.barycentric = bestPlace.barycentric;
-  result.distance = std::sqrt(best);
-  result.side = (query - bestPlace.point).dot(tree_->normalAt(bestTriangle, bestPlace.part)) < 0 ? -1 : 1;
-  return result;
+  if (bestTriangle == std::numeric_limits<int>::max()) return {};
+  return {{bestTriangle, bestPlace.point, bestPlace.barycentric, std::sqrt(best)}, bestPlace.part};
+}
+
+ClosestPlace TriangleTree::closest(const Vector3d& query, double bound) const {
+  auto [place, part] = find(query, bound);
+  if (place.triangle >= 0 && (query - place.point).dot(tree_->normalAt(place.triangle, part)) < 0)
+    place.side = -1;
+  return place;
+}
+
+ClosestPlace TriangleTree::closestAnySide(const Vector3d& query, double bound) const {
+  return find(query, bound).place;
 }
 
 std::optional<RayHit> TriangleTree::cast(const Vector3d& origin, const Vector3d& direction) const {
@@ -104,6 +116,9 @@ std::optional<RayHit> TriangleTree::cast(const Vector3d& origin, const Vector3d&
 
 int TriangleTree::vertexOf(int triangle, int corner) const { return tree_->triangles(triangle, corner); }
 
-Vector3d TriangleTree::triangleNormal(int triangle) const { return tree_->normals.face.row(triangle); }
+Vector3d TriangleTree::triangleNormal(int triangle) const {
+  const auto corner = [&](int c) -> Vector3d { return tree_->points.row(tree_->triangles(triangle, c)); };
+  return faceNormal(corner(0), corner(1), corner(2));
+}
 
 }  // namespace falciform

@@ -31,6 +31,9 @@ class TriangleTree {
 
   [[nodiscard]] ClosestPlace closest(const Vector3d& query,
                                      double bound = std::numeric_limits<double>::infinity()) const;
+  /// The same but for `side`, which stays 1: the first of these does not wait for the pseudonormals.
+  [[nodiscard]] ClosestPlace closestAnySide(const Vector3d& query,
+                                            double bound = std::numeric_limits<double>::infinity()) const;
   /// First hit of the ray from `origin` along `direction` (any length > 0), from either side.
   [[nodiscard]] std::optional<RayHit> cast(const Vector3d& origin, const Vector3d& direction) const;
   [[nodiscard]] int vertexOf(int triangle, int corner) const;
@@ -38,6 +41,9 @@ class TriangleTree {
 
  private:
   struct Tree;
+  struct Found;
+  [[nodiscard]] Found find(const Vector3d& query, double bound) const;
+
   std::shared_ptr<const Tree> tree_;
 };
 

@@ -23,7 +23,7 @@ Points geodesicRing(const TriangleTree& tree, int triangle, const Vector3d& cent
   for (int i = 0; i < count; ++i) {
     Vector3d at = centre, heading = ring.row(i).transpose();
     for (int step = 0; step < kSteps; ++step) {
-      const ClosestPlace place = tree.closest(at + radiusMm / kSteps * heading);
+      const ClosestPlace place = tree.closestAnySide(at + radiusMm / kSteps * heading);
       at = place.point;
       // Straight on: the heading loses only its part across the surface.
       const Vector3d n = tree.triangleNormal(place.triangle);

@@ -146,6 +146,8 @@ TEST(TriangleTree, KnowsTheSideNearFacesEdgesAndCornersOfABox) {
   for (int i = 0; i < 5000; ++i) {
     const Vector3d q = randomPoint(random, 12) + Vector3d(10, 5, 2.5);
     EXPECT_EQ(tree.closest(q).side, inside.contains(q) ? -1 : 1) << q.transpose();
+    EXPECT_EQ(tree.closestAnySide(q).point, tree.closest(q).point);
+    EXPECT_EQ(tree.closestAnySide(q).side, 1);
   }
 }
 
