@@ -55,6 +55,7 @@ void importPictures(MainWindow& window, Workbench& bench, const std::function<vo
                     const std::function<void(const QString&)>& saveNow) {
   auto* axial = window.findChild<SliceView*>("sliceAxial");
   if (!axial) return;
+  save("SegmentationImport_opened");
   press(window, "addSeed");
   const std::vector<Vector3d> seeds{{-103, -23, -29}, {11, -45, 10}, {39, -17, 33}};
   for (const Vector3d& seed : seeds) {
