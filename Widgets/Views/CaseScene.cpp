@@ -288,12 +288,13 @@ void CaseScene::followTexts(const Wanted& now) {
   scene_.orientation().setBottom(narrow_ ? kCubeAboveNotice : 0);
   corner_.setText(narrow_ ? options.deformedCaption : "");
   std::vector<LegendEntry> entries;
+  const bool low = options.slicesShown || options.slicesWanted;  // the bar's lower words would meet the cube
   if (now.distance) {
-    bar_.show(now.preopMap ? *now.preopMap : *now.scanMap);
+    bar_.show(now.preopMap ? *now.preopMap : *now.scanMap, !low);
     title_.setText(metricOf(options.distanceColours.array, options.distanceOnScan).meaning);
   } else if (now.bar()) {
     if (options.colourBarShown)
-      bar_.show(*now.preopMap, !narrow_ && !options.slicesShown);  // else it meets the cube
+      bar_.show(*now.preopMap, !narrow_ && !low);
     else
       bar_.clear();
     title_.setText(options.deformedCaption);
