@@ -19,7 +19,8 @@ constexpr std::size_t kChunk = 128;   // fixed: sums are formed in one order wha
 constexpr double kPaintingMm = 3;     // how well a patch's border is painted
 constexpr double kPatchScaleMm = 10;  // Welsch scale of the pull to one's own label, at least
 constexpr double kScoreScaleMm = 5;
-constexpr double kWalkMm = 2;  // after a step no longer than this a nearest place is walked to, not searched
+constexpr double kWalkMm = 0.5;  // after a step no longer than this a nearest place is walked to, not
+                                 // searched; longer walks end beside the nearest on livers that bent much
 // Before the scan has spoken: strains as livers show in surgery, worth so many modes' evidence.
 constexpr double kUsualStrain = 0.012, kUsualCount = 0.3, kLargestStrain = 0.02;
 constexpr int kLearningSteps = 8;  // what it learns later would move the pose by hundredths of a millimetre
