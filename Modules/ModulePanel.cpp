@@ -7,6 +7,8 @@
 #include <QSettings>
 #include <QVBoxLayout>
 
+#include "Widgets/Forms/PanelControls.h"
+
 namespace falciform {
 
 ModulePanel::ModulePanel(Workbench& workbench, const QString& purpose, QWidget* parent)
@@ -39,12 +41,7 @@ QVBoxLayout* ModulePanel::addGroup(const QString& title) {
 }
 
 QLabel* ModulePanel::wrappedLabel(const QString& name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-  return label;
+  return falciform::wrappedLabel(name, parent);
 }
 
 void ModulePanel::showReadiness(QPushButton* button, QLabel* words, const std::string& missing) {

@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "Widgets/Forms/NumberBox.h"
+#include "Widgets/Forms/PanelControls.h"
 
 namespace falciform {
 namespace {
@@ -17,18 +18,8 @@ enum Mode { kAdd, kReplace, kErase };
 
 void addButton(QButtonGroup* group, QHBoxLayout* row, int id, const char* name, const QString& text,
                const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName(name);
-  button->setText(text);
-  button->setToolTip(tip);
+  QToolButton* button = wideToolButton(name, text, tip, parent);
   button->setCheckable(true);
-  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  button->setFocusPolicy(Qt::StrongFocus);
-  // Pressed is hard to tell in the dark theme.
-  button->setStyleSheet(
-      "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); border: 1px "
-      "solid "
-      "palette(shadow); border-radius: 2px; padding: 3px; }");
   group->addButton(button, id);
   row->addWidget(button);
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "Widgets/Forms/NumberBox.h"
+#include "Widgets/Forms/PanelControls.h"
 #include "Widgets/Forms/SettingsForm.h"
 
 namespace falciform {
@@ -20,11 +21,7 @@ namespace {
 constexpr int kPollMs = 100;
 
 QLabel* wordsOf(const char* name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+  QLabel* label = wrappedLabel(name, parent);
   label->hide();
   return label;
 }
@@ -57,35 +54,24 @@ SegmentationBox::SegmentationBox(Workbench& workbench, QWidget* parent)
   });
 }
 
-QToolButton* SegmentationBox::toolButton(const char* name, const QString& text, const QString& tip) {
-  auto* button = new QToolButton(this);
-  button->setObjectName(name);
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  button->setFocusPolicy(Qt::StrongFocus);
-  // Pressed is hard to tell in the dark theme.
-  button->setStyleSheet(
-      "QToolButton:checked { background: palette(highlight); color: palette(highlighted-text); border: 1px "
-      "solid palette(shadow); border-radius: 2px; padding: 3px; }");
-  return button;
-}
-
 void SegmentationBox::addTools() {
   const QString how = tr("\nWhile on, Ctrl with the left button moves the cut's cursor; Esc ends it");
-  seed_ =
-      toolButton("addSeed", tr("Add seed"),
-                 tr("Clicks in a slice say: here is liver. The first in plain tissue away from vessels, one "
-                    "in each lobe, one in a tumour that is to be taken in") +
-                     how);
-  paint_ =
-      toolButton("paintLabel", tr("Paint"),
-                 tr("A ball-shaped brush adds to the label map: the label of the row chosen below") + how);
-  erase_ = toolButton("eraseLabel", tr("Not here"),
-                      tr("A ball-shaped brush takes away, and keeps the front out when it continues") + how);
-  undo_ = toolButton("undoSegmentation", tr("Undo"),
-                     tr("Take back the last seed, stroke or segmentation (Z in a slice); 50 steps"));
-  redo_ = toolButton("redoSegmentation", tr("Redo"), tr("Bring it back (Y in a slice)"));
+  seed_ = wideToolButton(
+      "addSeed", tr("Add seed"),
+      tr("Clicks in a slice say: here is liver. The first in plain tissue away from vessels, one "
+         "in each lobe, one in a tumour that is to be taken in") +
+          how,
+      this);
+  paint_ = wideToolButton(
+      "paintLabel", tr("Paint"),
+      tr("A ball-shaped brush adds to the label map: the label of the row chosen below") + how, this);
+  erase_ = wideToolButton(
+      "eraseLabel", tr("Not here"),
+      tr("A ball-shaped brush takes away, and keeps the front out when it continues") + how, this);
+  undo_ =
+      wideToolButton("undoSegmentation", tr("Undo"),
+                     tr("Take back the last seed, stroke or segmentation (Z in a slice); 50 steps"), this);
+  redo_ = wideToolButton("redoSegmentation", tr("Redo"), tr("Bring it back (Y in a slice)"), this);
   radius_ = new NumberBox(this);
   radius_->setObjectName("labelBrushRadius");
   radius_->setRange(0.5, 60);

@@ -49,7 +49,6 @@ class SegmentationBox : public QWidget {
   void addTools();
   void addSeedTable();
   void addRun();
-  QToolButton* toolButton(const char* name, const QString& text, const QString& tip);
   void choose(SliceTool tool, bool on);
   void touch(const SliceTouch& touch);
   void stroke(const SliceTouch& touch);

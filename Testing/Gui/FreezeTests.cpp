@@ -1,13 +1,11 @@
 #include <QMessageBox>
 #include <QMouseEvent>
 #include <QtTest/QTest>
-#include <cstdio>
 
 #include "Logic/Acquisition/SyntheticLiver.h"
 #include "Logic/Acquisition/VirtualScanner.h"
 #include "Logic/IO/CaseFolder.h"
-#include "Testing/Gui/EventWatch.h"
-#include "Testing/Gui/WindowFixture.h"
+#include "Testing/Gui/SmoothFixture.h"
 #include "Testing/Support/TemporaryFolder.h"
 
 namespace falciform::test {
@@ -31,27 +29,7 @@ const std::filesystem::path& caseFolder() {
 }
 
 /// No event may hold the window's thread up for longer than a person takes for "at once".
-struct Freeze : WindowTest {
-  static constexpr double kLongestMs = 100;
-
-  static WatchedApplication& application() { return *static_cast<WatchedApplication*>(qApp); }
-
-  /// Does it up to three times, since a busy machine makes one slow turn; the best of them counts. Judged by
-  /// the thread's own processor time, which other programs do not lengthen much.
-  void isSmooth(const char* what, const std::function<void()>& action) {
-    WatchedApplication::Slow best{"", 1e9, 1e9};
-    for (int attempt = 0; attempt < 3 && best.cpuMs > kLongestMs; ++attempt) {
-      handleEvents(100);
-      application().watch();
-      action();
-      handleEvents(100);
-      if (application().slowest().cpuMs < best.cpuMs) best = application().slowest();
-    }
-    std::printf("%-28s %6.1f ms processor, %6.1f ms by the clock: %s\n", what, best.cpuMs, best.wallMs,
-                qPrintable(best.what));
-    EXPECT_GT(best.cpuMs, 0) << what << ": nothing happened";
-    EXPECT_LE(best.cpuMs, kLongestMs) << what << ": " << best.what.toStdString();
-  }
+struct Freeze : SmoothFixture {
   /// The mouse without a button, over the view.
   void hover(const QPoint& at) {
     QWidget* canvas = window->view()->canvas();

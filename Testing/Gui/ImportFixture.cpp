@@ -3,7 +3,6 @@
 #include <QMouseEvent>
 #include <QTableWidget>
 #include <QtTest/QTest>
-#include <cstdio>
 
 namespace falciform::test {
 
@@ -17,25 +16,11 @@ double dice(const LabelMap& a, const LabelMap& b) {
 }
 
 void ImportFixture::SetUp() {
-  WindowTest::SetUp();
+  SmoothFixture::SetUp();
   if (IsSkipped()) return;
   live_ = bench->view.changed.connect([this] {
     if (const auto& front = bench->view.options().previewSurface) fronts.insert(front);
   });
-}
-
-void ImportFixture::isSmooth(const char* what, const std::function<void()>& action) {
-  WatchedApplication::Slow best{"", 1e9, 1e9};
-  for (int attempt = 0; attempt < 3 && best.cpuMs > kLongestMs; ++attempt) {
-    handleEvents(100);
-    application().watch();
-    action();
-    handleEvents(100);
-    if (application().slowest().cpuMs < best.cpuMs) best = application().slowest();
-  }
-  std::printf("%-28s %6.1f ms processor, %6.1f ms by the clock: %s\n", what, best.cpuMs, best.wallMs,
-              qPrintable(best.what));
-  EXPECT_LE(best.cpuMs, kLongestMs) << what << ": " << best.what.toStdString();
 }
 
 void ImportFixture::goTo(const Vector3d& mm) {

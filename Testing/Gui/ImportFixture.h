@@ -1,21 +1,14 @@
 #pragma once
 #include <set>
 
-#include "Testing/Gui/EventWatch.h"
-#include "Testing/Gui/WindowFixture.h"
+#include "Testing/Gui/SmoothFixture.h"
 #include "Widgets/Views/SliceView.h"
 
 namespace falciform::test {
 
 /// The import step, used by mouse in its slices; notes the fronts that it shows on the way.
-struct ImportFixture : WindowTest {
-  static constexpr double kLongestMs = 100;  ///< of one event: what a person takes for "at once"
-
+struct ImportFixture : SmoothFixture {
   void SetUp() override;
-  static WatchedApplication& application() { return *static_cast<WatchedApplication*>(qApp); }
-  /// Does it up to three times, since a busy machine, or a picture drawn for the first time, makes a slow
-  /// turn; no event of the best of them may hold the window up.
-  void isSmooth(const char* what, const std::function<void()>& action);
 
   SliceView& slice(const char* plane) { return control<SliceView>(plane); }
   /// Brings all cuts to a place: a Ctrl-click in two of them, whatever tool is in hand.
