@@ -25,12 +25,6 @@ Flags flagsWhere(const Image& image, const Say& say) {
   return flags;
 }
 
-Image depthOf(const Flags& flags) {
-  Flags outside = flags;
-  for (std::uint8_t& value : outside.voxels) value = value == 0;
-  return distanceTo(outside);
-}
-
 /// The organ with what of its own brightness leads on from it, no farther than `reachMm` along the way: the
 /// rim around a tumour is too thin for the first growth.
 Flags rimsOf(const Flags& organ, const Flags& like, double reachMm) {
@@ -133,7 +127,7 @@ std::vector<EnclosedBody> enclosedBodies(const Image& image, const Flags& organ,
       organ,
       flagsWhere(image, [&](std::size_t i) { return image.voxels[i] >= dark && image.voxels[i] < bright; }),
       plan.rimMm);
-  const Surroundings at{depthOf(open), distanceTo(withRims),
+  const Surroundings at{depthWithin(open), distanceTo(withRims),
                         distanceTo(flagsWhere(image, [&](std::size_t i) { return image.voxels[i] < air; })),
                         organ};
   const auto organVoxels = static_cast<double>(std::count(organ.voxels.begin(), organ.voxels.end(), 1));

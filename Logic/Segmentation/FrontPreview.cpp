@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "Logic/Core/Parallel.h"
+#include "Logic/Geometry/VolumeSampling.h"
 #include "Logic/VtkBridge/SurfaceFilters.h"
 
 namespace falciform {
@@ -53,30 +54,6 @@ std::pair<Vector3i, Vector3i> reachOf(const LabelMap& front, const Image& ct) {
           (high.array().ceil().cast<int>() + 1).matrix().cwiseMin(ct.size)};
 }
 
-/// Share inside at a continuous index; beyond the grid its nearest voxels count, as a front cut off by the
-/// volume's border goes on to it.
-double shareAt(const LabelMap& front, const Vector3d& index) {
-  Vector3i low;
-  Vector3d up;
-  for (int a = 0; a < 3; ++a) {
-    const double inner = std::clamp(index[a], 0.0, front.size[a] - 1.0);
-    low[a] = std::min(static_cast<int>(inner), std::max(0, front.size[a] - 2));
-    up[a] = inner - low[a];
-  }
-  double sum = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    double weight = 1;
-    Vector3i voxel = low;
-    for (int a = 0; a < 3; ++a) {
-      const bool far = (corner >> a) & 1;
-      weight *= far ? up[a] : 1 - up[a];
-      if (far) voxel[a] = std::min(voxel[a] + 1, front.size[a] - 1);
-    }
-    if (weight > 0) sum += weight * front.at(voxel.x(), voxel.y(), voxel.z());
-  }
-  return sum;
-}
-
 }  // namespace
 
 FrontPreview previewOf(const Mask& front) {
@@ -96,15 +73,16 @@ LabelMap onGridOf(const Image& ct, const LabelMap& front) {
   const auto [low, high] = reachOf(front, ct);
   if ((high - low).minCoeff() <= 0) return labels;
   const Matrix4d frontFromCt = front.worldFromIndex.inverse() * ct.worldFromIndex;
-  const Vector3d last = front.size.cast<double>();
+  // A front cut off by the volume's border goes on to it: beyond its grid the nearest voxels count.
+  const Image shares{front.size, front.worldFromIndex, {front.voxels.begin(), front.voxels.end()}};
+  const TrilinearVoxels shareAt{shares};
   forEachChunk(static_cast<std::size_t>(high.z() - low.z()), 1,
                [&, low = low, high = high](std::size_t begin, std::size_t) {
                  const int k = low.z() + static_cast<int>(begin);
                  for (int j = low.y(); j < high.y(); ++j)
                    for (int i = low.x(); i < high.x(); ++i) {
                      const Vector3d index = (frontFromCt * Eigen::Vector4d(i, j, k, 1)).head<3>();
-                     if ((index.array() < -0.5).any() || (index.array() > last.array() - 0.5).any()) continue;
-                     labels.at(i, j, k) = shareAt(front, index) > 0.5;
+                     labels.at(i, j, k) = shareAt(index, 0) > 0.5F;
                    }
                });
   return labels;

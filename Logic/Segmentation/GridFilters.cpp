@@ -121,4 +121,10 @@ Image distanceTo(const Volume<std::uint8_t>& flags) {
   return distance;
 }
 
+Image depthWithin(const Volume<std::uint8_t>& flags) {
+  Volume<std::uint8_t> outside = flags;
+  for (std::uint8_t& value : outside.voxels) value = value == 0;
+  return distanceTo(outside);
+}
+
 }  // namespace falciform

@@ -18,6 +18,8 @@ void sumOverBox(Image& image, const Vector3i& half);
 /// Euclidean distance, mm, from each voxel's centre to the nearest centre whose flag is set; infinity if none
 /// is (Felzenszwalb and Huttenlocher, exact).
 [[nodiscard]] Image distanceTo(const Volume<std::uint8_t>& flags);
+/// The same to the nearest centre whose flag is not set: how deep each voxel lies.
+[[nodiscard]] Image depthWithin(const Volume<std::uint8_t>& flags);
 
 /// An image of the same grid as `like`, all `value`.
 template <class T, class U>

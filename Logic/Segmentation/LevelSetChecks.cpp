@@ -38,9 +38,7 @@ std::string enclosedText(const std::vector<EnclosedPart>& parts) {
 
 std::vector<LeftOut> partsBehindNecks(const Volume<std::uint8_t>& organ, double neckMm, double wideness,
                                       double leastMl) {
-  Volume<std::uint8_t> outside = organ;
-  for (std::uint8_t& value : outside.voxels) value = value == 0;
-  const Image depth = distanceTo(outside);
+  const Image depth = depthWithin(organ);
   Volume<std::uint8_t> middles = sameGrid<std::uint8_t>(organ, 0);
   for (std::size_t i = 0; i < middles.voxels.size(); ++i)
     middles.voxels[i] = organ.voxels[i] != 0 && static_cast<double>(depth.voxels[i]) >= neckMm;

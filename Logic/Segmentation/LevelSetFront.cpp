@@ -26,10 +26,8 @@ double upwindSlope(const double (&back)[3], const double (&ahead)[3], bool outwa
 }  // namespace
 
 Image signedDistance(const Volume<std::uint8_t>& flags) {
-  Volume<std::uint8_t> outside = flags;
-  for (std::uint8_t& value : outside.voxels) value = value == 0;
   Image distance = distanceTo(flags);
-  const Image depth = distanceTo(outside);
+  const Image depth = depthWithin(flags);
   const auto half = static_cast<float>(0.5 * flags.spacing().minCoeff());
   const float limit = 1e6F;
   for (std::size_t i = 0; i < distance.voxels.size(); ++i)

@@ -116,9 +116,7 @@ double millilitres(const Volume<std::uint8_t>& flags) {
 Growth growFromSeeds(const Volume<std::uint8_t>& open, const std::vector<Vector3i>& seeds,
                      const GrowthPlan& plan, const Progress& progress) {
   progress.report(0, "Growing from the seeds");
-  Volume<std::uint8_t> closed = open;
-  for (std::uint8_t& value : closed.voxels) value = value == 0;
-  Image depth = distanceTo(closed);
+  Image depth = depthWithin(open);
   for (float& value : depth.voxels) value = std::min(value, static_cast<float>(4 * plan.widestMm));
 
   std::vector<std::size_t> sources;

@@ -37,9 +37,8 @@ void fillGaps(Volume<std::uint8_t>& region, double radiusMm) {
 
 /// What lies deeper than `kDeepMm`: neighbours' tissue and blurred edges have no part in it.
 Volume<std::uint8_t> deepPart(const Volume<std::uint8_t>& region) {
-  Volume<std::uint8_t> deep = region;
-  for (std::uint8_t& value : deep.voxels) value = value == 0;
-  const Image depth = distanceTo(deep);
+  const Image depth = depthWithin(region);
+  Volume<std::uint8_t> deep = sameGrid<std::uint8_t>(region, 0);
   for (std::size_t i = 0; i < deep.voxels.size(); ++i)
     deep.voxels[i] = static_cast<double>(depth.voxels[i]) > kDeepMm;
   return deep;

@@ -49,7 +49,8 @@ template <class Place>
 std::vector<double> distances(const TriangleTree& tree, std::size_t count, Place place) {
   std::vector<double> all(count);
   forEachChunk(count, kChunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) all[i] = tree.closest(place(static_cast<Index>(i))).distance;
+    for (std::size_t i = begin; i < end; ++i)
+      all[i] = tree.closestAnySide(place(static_cast<Index>(i))).distance;
   });
   return all;
 }
