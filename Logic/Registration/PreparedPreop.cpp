@@ -41,10 +41,12 @@ struct PreparedPreop::Hit {
 
 PreparedPreop::Hit PreparedPreop::hitOn(int triangle, const Vector3d& query) const {
   const Points& points = surface_.points;
-  const auto corners = surface_.triangles.row(triangle);
-  const PlaceOnTriangle found =
-      detail::closestByRegions(query, {points.row(corners[0]).transpose(), points.row(corners[1]).transpose(),
-                                       points.row(corners[2]).transpose()});
+  const auto ids = surface_.triangles.row(triangle);
+  const Corners corners{points.row(ids[0]).transpose(), points.row(ids[1]).transpose(),
+                        points.row(ids[2]).transpose()};
+  PlaceOnTriangle found = detail::closestByRegions(query, corners);
+  // Cheaper than to ask every triangle whether it is a sliver; false for NaN.
+  if (!(found.barycentric.minCoeff() > -1e-9)) found = detail::closestOnSliver(query, corners);
   return {triangle, found.part == TrianglePart::Face, found.squaredDistance, found.point, found.barycentric};
 }
 
