@@ -22,7 +22,7 @@ constexpr double kScoreScaleMm = 5;
 constexpr double kWalkMm = 0.5;  // after a step no longer than this a nearest place is walked to, not
                                  // searched; longer walks end beside the nearest on livers that bent much
 // Before the scan has spoken: strains as livers show in surgery, worth so many modes' evidence.
-constexpr double kUsualStrain = 0.012, kUsualCount = 0.3, kLargestStrain = 0.02;
+constexpr double kUsualStrain = 0.012, kUsualCount = 0.3, kLargestStrain = 0.018;
 constexpr int kLearningSteps = 8;  // what it learns later would move the pose by hundredths of a millimetre
 constexpr double kLeastResidualMm = 0.1, kLargestResidualMm = 4;
 using Unknowns = ElasticEquations::Unknowns;

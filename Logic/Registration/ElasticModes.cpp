@@ -89,6 +89,18 @@ double gradientProduct(const Moments& moments, Exponents a, int i, Exponents b, 
   return factor * moments.at({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
 }
 
+/// Mean of the sum over i and j of d2(phi_a)/dx_i dx_j d2(phi_b)/dx_i dx_j, in scaled coordinates.
+double curvatureProduct(const Moments& moments, const Exponents& a, const Exponents& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Exponents da = a, db = b;
+    const int factor = da[i]-- * db[i]--;
+    if (factor == 0) continue;
+    for (int j = 0; j < 3; ++j) sum += factor * gradientProduct(moments, da, j, db, j);
+  }
+  return sum;
+}
+
 }  // namespace
 
 ElasticModes::ElasticModes(const Surface& preop, double poissonRatio) {
@@ -109,12 +121,13 @@ ElasticModes::ElasticModes(const Surface& preop, double poissonRatio) {
       products_(a, b) = moments.at({ea[0] + eb[0], ea[1] + eb[1], ea[2] + eb[2]});
       double laplacian = 0;
       for (int i = 0; i < 3; ++i) laplacian += gradientProduct(moments, ea, i, eb, i);
+      const double smooth = kSmoothness * curvatureProduct(moments, ea, eb);
       for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l) {
           const double straight = gradientProduct(moments, ea, k, eb, l),
                        crossed = gradientProduct(moments, ea, l, eb, k);
           energy_(k * kMonomials + a, l * kMonomials + b) =
-              perMm2 * (0.5 * ((k == l ? laplacian : 0) + crossed) + bulk * straight);
+              perMm2 * ((k == l ? 0.5 * laplacian + smooth : 0) + 0.5 * crossed + bulk * straight);
         }
     }
 }

@@ -30,7 +30,10 @@ class ElasticModes {
     return u.transpose() * monomials(x);
   }
   /// Column-wise stacked coefficients q: q^T energy q is the organ's mean of eps:eps + nu/(1 - 2 nu)
-  /// tr(eps)^2, the strain energy density over mu. Zero for infinitesimal rigid motions.
+  /// tr(eps)^2 + kSmoothness L^2 |grad grad u|^2, the energy density over mu of an isotropic solid that
+  /// resists gradients of strain as well (Mindlin 1964). L is the root mean square distance of the surface's
+  /// points from their centroid. Zero for infinitesimal rigid motions.
+  static constexpr double kSmoothness = 0.15;
   [[nodiscard]] const Energy& energy() const { return energy_; }
   /// The rigid motion nearest to x -> x + u(x) in the mean square over the organ.
   [[nodiscard]] Isometry3d rigidPart(const Coefficients& u) const;

@@ -48,6 +48,19 @@ TEST(ElasticModes, HomogeneousStrainCostsItsDensity) {
   EXPECT_NEAR(energyOf(modes, affine(modes, strain, Vector3d::Zero())), expected, 1e-12);
 }
 
+TEST(ElasticModes, AGradientOfStrainCostsMoreThanItsStrain) {
+  // u = (g (x - x0)^2 / 2, 0, 0) over a ball of radius r about x0: strain g (x - x0), mean square g^2 r^2 /
+  // 5; second gradient g. The monomials after 1, x, y, z begin with x^2.
+  const double nu = 0.3, r = 60, g = 1e-3;
+  const ElasticModes modes(test::sphere(r, 5, {10, 20, 30}), nu);
+  const double atRim = modes.monomials({10 + r, 20, 30})[4];  // the scaled square is r^2 in mm^2
+  Coefficients u = Coefficients::Zero();
+  u(4, 0) = g * r * r / 2 / atRim;
+  const double strain = (1 + nu / (1 - 2 * nu)) * g * g * r * r / 5;
+  const double smooth = ElasticModes::kSmoothness * r * r * g * g;
+  EXPECT_NEAR(energyOf(modes, u), strain + smooth, 0.005 * (strain + smooth));
+}
+
 TEST(ElasticModes, EnergyIsPositiveForAllElse) {
   const ElasticModes modes(test::lumpyBody(3));
   const Eigen::SelfAdjointEigenSolver<ElasticModes::Energy> eigen(modes.energy());
