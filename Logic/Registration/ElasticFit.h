@@ -14,7 +14,7 @@ struct ElasticFitPlan {
   double strain = 0.016;  ///< standard deviation of each mode's root mean strain
   double residualMm = 1;  ///< of a cell's mean residual: what the modes leave unexplained
   bool learn =
-      false;  ///< strain and residual from the scan itself (evidence, MacKay 1992), from those values
+      false;          ///< strain and residual from the scan itself (evidence, MacKay 1992), from those values
   double cellMm = 7;  ///< residuals in one cell count as one observation: neighbours are not independent
   double robustScaleMm = 5;  ///< Welsch scale, never below 3 median residuals
   double patchWeight = 1;    ///< of the pull of a labelled point outside its label, against the surface's

@@ -20,21 +20,32 @@ namespace {
 
 enum ExitCode { kDone = 0, kOwnFault = 1, kInputOrUsage = 2, kCancelled = 130 };
 
+/// Of a free text (a list of methods, say) only what leads to a place that is there can name a folder.
+bool mayNamePlace(const Argument* argument, const std::filesystem::path& given) {
+  if (argument == nullptr || argument->kind != ArgumentKind::Text) return true;
+  std::error_code ignored;
+  return std::filesystem::exists(given, ignored) || std::filesystem::exists(given.parent_path(), ignored);
+}
+
 /// The call as typed, folders left out: they may name a patient.
-std::string callWithoutFolders(const std::vector<std::string>& words) {
+std::string callWithoutFolders(const Syntax& syntax, const std::vector<std::string>& words) {
   std::string text = "falciform";
+  const Argument* argument = nullptr;
   for (const std::string& word : words) {
-    const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
+    const bool flag = word.starts_with("--");
+    const std::size_t equals = flag ? word.find('=') : std::string::npos;
+    if (flag) argument = syntax.find(word.substr(2, equals == std::string::npos ? equals : equals - 2));
     const std::string head = equals == std::string::npos ? "" : word.substr(0, equals + 1);
     std::string tail = word.substr(head.size());
     // A DICOM folder is often named after its patient.
     if (const std::filesystem::path given = tail; !isVolumeFile(given) && isDicom(given)) {
       tail = "DICOM";
-    } else if (tail.find('/') != std::string::npos) {
-      const std::filesystem::path path = std::filesystem::path(tail).lexically_normal();
+    } else if (tail.find('/') != std::string::npos && mayNamePlace(argument, tail)) {
+      const std::filesystem::path path = given.lexically_normal();
       tail = (path.has_filename() ? path : path.parent_path()).filename().string();
     }
     text += " " + head + tail;
+    if (!flag) argument = nullptr;
   }
   return text;
 }
@@ -94,7 +105,7 @@ void dispatch(const std::vector<std::string>& words, const std::stop_source& sto
     else if (arguments.has("xml"))
       std::cout << slicerXml(syntax);
     else
-      execute(command, syntax, arguments, callWithoutFolders(words), stop);
+      execute(command, syntax, arguments, callWithoutFolders(syntax, words), stop);
     return;
   }
   if (!seconds.empty() && (second == "--help" || second == "-h")) {

@@ -154,6 +154,13 @@ TEST_F(TrialsCommand, GivenGoldStandardAndScaleFileAreUsed) {
   EXPECT_LT(summary["figures"]["methods"][0]["target_error_mm"]["max"].get<double>(), 0.01);
 }
 
+TEST_F(TrialsCommand, TheCommandIsRecordedWithItsMethodsAndWithoutFolders) {
+  ASSERT_EQ(falciform(call("out", {"--methods", "thesis-phantom/icp,icp", "--count", "2"})).exitCode, 0);
+  EXPECT_EQ(nlohmann::json::parse(text("out/summary.json"))["command"],
+            "falciform trials --preop preop.vtp --scan scan.vtp --out out --methods thesis-phantom/icp,icp "
+            "--count 2");
+}
+
 TEST_F(TrialsCommand, TruthMayBeOneFile) {
   nlohmann::json truth;
   for (const Vector3d& p : {Vector3d(0, 0, 0), Vector3d(30, 0, 5), Vector3d(0, 25, -8)}) {
