@@ -1,6 +1,6 @@
 #include "Logic/Core/Surface.h"
 
-#include <set>
+#include <algorithm>
 
 #include "Logic/Core/Errors.h"
 
@@ -23,9 +23,15 @@ std::vector<int> pointsOfPatch(const Surface& surface, int label) {
 }
 
 std::vector<int> patchLabels(const Surface& surface) {
-  std::set<int> labels(surface.patch.begin(), surface.patch.end());
-  labels.erase(patch::kNone);
-  return {labels.begin(), labels.end()};
+  std::vector<int> labels;
+  int last = patch::kNone;  // neighbours in the list mostly bear one label
+  for (const int label : surface.patch) {
+    if (label == last || label == patch::kNone) continue;
+    last = label;
+    const auto place = std::lower_bound(labels.begin(), labels.end(), label);
+    if (place == labels.end() || *place != label) labels.insert(place, label);
+  }
+  return labels;
 }
 
 Points transformed(const Points& points, const Isometry3d& targetFromSource) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <tuple>
 
 #include "Logic/Core/Parallel.h"
 
@@ -14,7 +15,7 @@ constexpr int kLeafSize = 8;
 constexpr int kForkSize = 2048, kForks = 2;  // smaller parts are not worth a thread
 
 /// A node's box is cut at `lower` (where its left half ends) and `upper` (where its right half begins) along
-/// `axis`. A leaf has axis -1 and holds the entries [left, right).
+/// `axis`. A leaf has axis -1; `left` is its place among the leaves.
 struct Node {
   double lower = 0, upper = 0;
   int left = 0, right = 0;
@@ -22,105 +23,160 @@ struct Node {
 };
 
 struct Entry {
-  double x = 0, y = 0, z = 0;
+  std::array<double, 3> at{};
   int index = 0;
 };
 
-double coordinate(const Entry& entry, int axis) {
-  return axis == 0 ? entry.x : axis == 1 ? entry.y : entry.z;
-}
+struct Box {
+  std::array<double, 3> low, high;
+  Box() {
+    low.fill(std::numeric_limits<double>::infinity());
+    high.fill(-std::numeric_limits<double>::infinity());
+  }
+  void add(const Entry& entry) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      low[a] = std::min(low[a], entry.at[a]);
+      high[a] = std::max(high[a], entry.at[a]);
+    }
+  }
+  [[nodiscard]] std::size_t longest() const {
+    std::size_t axis = 0;
+    for (std::size_t a = 1; a < 3; ++a)
+      if (high[a] - low[a] > high[axis] - low[axis]) axis = a;
+    return axis;
+  }
+};
 
 bool nearer(double squared, int index, const Neighbour& than) {
   return squared < than.squaredDistance || (squared == than.squaredDistance && index < than.index);
 }
 
+/// Its points' coordinates side by side, so that all distances are formed at once; places beyond `count` are
+/// infinitely far.
+struct Leaf {
+  using Row = Eigen::Array<double, kLeafSize, 1>;
+  Row x, y, z;
+  std::array<int, kLeafSize> index{};
+  int count = 0;
+  /// As squaredDistance forms them.
+  [[nodiscard]] Row squaredDistances(const Vector3d& query) const {
+    return (query.x() - x).square() + (query.y() - y).square() + (query.z() - z).square();
+  }
+  void improve(const Vector3d& query, Neighbour& best) const {
+    const Row squared = squaredDistances(query);
+    if (squared.minCoeff() > best.squaredDistance) return;
+    for (int i = 0; i < count; ++i) {
+      const int id = index[static_cast<std::size_t>(i)];
+      if (nearer(squared[i], id, best)) best = {id, squared[i]};
+    }
+  }
+};
+
+Leaf leafOf(const Entry* begin, const Entry* end) {
+  Leaf leaf;
+  leaf.x = leaf.y = leaf.z = Leaf::Row::Constant(std::numeric_limits<double>::infinity());
+  for (; begin != end; ++begin, ++leaf.count) {
+    leaf.x[leaf.count] = begin->at[0];
+    leaf.y[leaf.count] = begin->at[1];
+    leaf.z[leaf.count] = begin->at[2];
+    leaf.index[static_cast<std::size_t>(leaf.count)] = begin->index;
+  }
+  return leaf;
+}
+
 }  // namespace
 
 struct KdTree::Tree {
-  std::vector<Entry> entries;
+  std::vector<Entry> entries;  // while it is built; a leaf's node then names its range by `left` and `right`
   std::vector<Node> nodes;
-  std::array<double, 3> lowest{}, highest{};
+  std::vector<Leaf> leaves;
+  Box box;
 
-  /// Sorts the entries [begin, end) into halves; a leaf stays whole. Returns where the right half begins.
-  int split(int begin, int end, Node& node) {
-    std::array<double, 3> low, high;
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-    for (int i = begin; i < end; ++i)
-      for (std::size_t a = 0; a < 3; ++a) {
-        const double c = coordinate(entries[static_cast<std::size_t>(i)], static_cast<int>(a));
-        low[a] = std::min(low[a], c);
-        high[a] = std::max(high[a], c);
-      }
-    if (begin == 0 && end == static_cast<int>(entries.size())) lowest = low, highest = high;
-    int axis = 0;
-    for (int a = 1; a < 3; ++a)
-      if (high[static_cast<std::size_t>(a)] - low[static_cast<std::size_t>(a)] >
-          high[static_cast<std::size_t>(axis)] - low[static_cast<std::size_t>(axis)])
-        axis = a;
-    const auto first = entries.begin() + begin, last = entries.begin() + end;
-    if (end - begin <= kLeafSize) {
-      std::sort(first, last, [](const Entry& a, const Entry& b) { return a.index < b.index; });
-      node = {.left = begin, .right = end, .axis = -1};
-      return end;
-    }
-    const int middle = begin + (end - begin) / 2;
-    const auto before = [axis](const Entry& a, const Entry& b) {
-      const double ca = coordinate(a, axis), cb = coordinate(b, axis);
-      return ca < cb || (ca == cb && a.index < b.index);
-    };
-    std::nth_element(first, entries.begin() + middle, last, before);
-    node.axis = axis;
-    node.upper = coordinate(entries[static_cast<std::size_t>(middle)], axis);
-    node.lower = coordinate(*std::max_element(first, entries.begin() + middle, before), axis);
+  [[nodiscard]] Box boxOf(int begin, int end) const {
+    Box around;
+    for (int i = begin; i < end; ++i) around.add(entries[static_cast<std::size_t>(i)]);
+    return around;
+  }
+
+  /// Sorts the entries [begin, end) into halves along an axis, the left one of whole leaves; returns where
+  /// the right one begins.
+  int cut(int begin, int end, std::size_t axis) {
+    const int wanted = (end - begin + kLeafSize - 1) / kLeafSize;
+    const int middle = begin + (wanted + 1) / 2 * kLeafSize;
+    std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
+                     [axis](const Entry& a, const Entry& b) { return a.at[axis] < b.at[axis]; });
     return middle;
   }
 
   /// Appends the nodes over [begin, end), parents first.
-  int append(std::vector<Node>& built, int begin, int end) {
-    const int id = static_cast<int>(built.size());
-    built.emplace_back();
+  Box append(std::vector<Node>& built, int begin, int end) {
+    const std::size_t id = built.size();
+    built.push_back({.left = begin, .right = end, .axis = -1});
+    const Box around = boxOf(begin, end);
+    if (end - begin <= kLeafSize) return around;
     Node node;
-    const int middle = split(begin, end, node);
-    if (node.axis >= 0) {
-      node.left = append(built, begin, middle);
-      node.right = append(built, middle, end);
-    }
-    built[static_cast<std::size_t>(id)] = node;
-    return id;
+    const std::size_t axis = around.longest();
+    const int middle = cut(begin, end, axis);
+    node.axis = static_cast<int>(axis);
+    node.left = static_cast<int>(built.size());
+    node.lower = append(built, begin, middle).high[axis];
+    node.right = static_cast<int>(built.size());
+    node.upper = append(built, middle, end).low[axis];
+    built[id] = node;
+    return around;
   }
 
   /// The nodes over [begin, end), parents first, children numbered from the first of these. The halves of the
   /// upper `forks` levels are built beside each other: the tree is the same either way.
-  std::vector<Node> build(int begin, int end, int forks) {
+  std::pair<std::vector<Node>, Box> build(int begin, int end, int forks) {
     std::vector<Node> built;
     if (forks == 0 || end - begin <= kForkSize) {
-      append(built, begin, end);
-      return built;
+      const Box around = append(built, begin, end);
+      return {std::move(built), around};
     }
-    Node root;
-    const int middle = split(begin, end, root);
-    std::array<std::vector<Node>, 2> halves;
+    const Box around = boxOf(begin, end);
+    const std::size_t axis = around.longest();
+    const int middle = cut(begin, end, axis);
+    std::array<std::pair<std::vector<Node>, Box>, 2> halves;
     forEachChunk(2, 1, [&](std::size_t h, std::size_t) {
       halves[h] = h == 0 ? build(begin, middle, forks - 1) : build(middle, end, forks - 1);
     });
-    root.left = 1;
-    root.right = 1 + static_cast<int>(halves[0].size());
+    Node root{.lower = halves[0].second.high[axis],
+              .upper = halves[1].second.low[axis],
+              .left = 1,
+              .right = 1 + static_cast<int>(halves[0].first.size()),
+              .axis = static_cast<int>(axis)};
     built.push_back(root);
     for (const int child : {root.left, root.right})
-      for (Node node : halves[child == root.left ? 0 : 1]) {
+      for (Node node : halves[child == root.left ? 0 : 1].first) {
         if (node.axis >= 0) node.left += child, node.right += child;
         built.push_back(node);
       }
-    return built;
+    return {std::move(built), around};
+  }
+
+  void plant() {
+    std::tie(nodes, box) = build(0, static_cast<int>(entries.size()), kForks);
+    std::vector<int> ends;
+    for (int id = 0; id < static_cast<int>(nodes.size()); ++id)
+      if (nodes[static_cast<std::size_t>(id)].axis < 0) ends.push_back(id);
+    leaves.resize(ends.size());
+    forEachChunk(ends.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        Node& node = nodes[static_cast<std::size_t>(ends[k])];
+        leaves[k] = leafOf(entries.data() + node.left, entries.data() + node.right);
+        node.left = static_cast<int>(k);
+      }
+    });
+    entries = {};
   }
 
   /// Visits leaves that may hold a point with squared distance <= `bound()`, near side first. `gaps` are the
   /// squared distances from the query to the node's box along each axis. Their sum is formed anew in the
   /// order that squaredDistance uses, so that rounding can never make a box seem farther than a point in it.
-  template <class Bound, class Leaf>
+  template <class Bound, class Visit>
   void visit(int id, const std::array<double, 3>& query, std::array<double, 3> gaps, const Bound& bound,
-             const Leaf& leaf) const {
+             const Visit& leaf) const {
     const Node* node = &nodes[static_cast<std::size_t>(id)];
     while (node->axis >= 0) {
       const auto axis = static_cast<std::size_t>(node->axis);
@@ -137,15 +193,15 @@ struct KdTree::Tree {
       gaps = farGaps;
       node = &nodes[static_cast<std::size_t>(farId)];
     }
-    leaf(entries.data() + node->left, entries.data() + node->right);
+    leaf(leaves[static_cast<std::size_t>(node->left)]);
   }
 
-  template <class Bound, class Leaf>
-  void search(const Vector3d& q, const Bound& bound, const Leaf& leaf) const {
+  template <class Bound, class Visit>
+  void search(const Vector3d& q, const Bound& bound, const Visit& leaf) const {
     const std::array<double, 3> query{q.x(), q.y(), q.z()};
     std::array<double, 3> gaps{};
     for (std::size_t a = 0; a < 3; ++a) {
-      const double gap = std::max({lowest[a] - query[a], query[a] - highest[a], 0.0});
+      const double gap = std::max({box.low[a] - query[a], query[a] - box.high[a], 0.0});
       gaps[a] = gap * gap;
     }
     if (gaps[0] + gaps[1] + gaps[2] <= bound()) visit(0, query, gaps, bound, leaf);
@@ -153,14 +209,7 @@ struct KdTree::Tree {
 
   void improve(const Vector3d& query, Neighbour& best) const {
     search(
-        query, [&] { return best.squaredDistance; },
-        [&](const Entry* entry, const Entry* end) {
-          for (; entry != end; ++entry) {
-            const double x = query.x() - entry->x, y = query.y() - entry->y, z = query.z() - entry->z;
-            const double squared = x * x + y * y + z * z;
-            if (nearer(squared, entry->index, best)) best = {entry->index, squared};
-          }
-        });
+        query, [&] { return best.squaredDistance; }, [&](const Leaf& leaf) { leaf.improve(query, best); });
   }
 };
 
@@ -168,8 +217,8 @@ KdTree::KdTree(const Points& points, const std::vector<int>& ids) : size_(static
   if (ids.empty()) return;
   auto tree = std::make_shared<Tree>();
   tree->entries.reserve(ids.size());
-  for (const int i : ids) tree->entries.push_back({points(i, 0), points(i, 1), points(i, 2), i});
-  tree->nodes = tree->build(0, size_, kForks);
+  for (const int i : ids) tree->entries.push_back({{points(i, 0), points(i, 1), points(i, 2)}, i});
+  tree->plant();
   tree_ = std::move(tree);
 }
 
@@ -201,20 +250,30 @@ std::vector<Neighbour> KdTree::nearest(const Vector3d& query, int k) const {
   double farthest = std::numeric_limits<double>::infinity();  // once all that are wanted are there
   tree_->search(
       query, [&] { return farthest; },
-      [&](const Entry* entry, const Entry* end) {
-        for (; entry != end; ++entry) {
-          const double squared = squaredDistance(query, {entry->x, entry->y, entry->z});
+      [&](const Leaf& leaf) {
+        const Leaf::Row squared = leaf.squaredDistances(query);
+        for (int i = 0; i < leaf.count; ++i) {
+          const Neighbour next{leaf.index[static_cast<std::size_t>(i)], squared[i]};
           if (found.size() == wanted) {
-            if (!nearer(squared, entry->index, found.back())) continue;
+            if (!nearer(next.squaredDistance, next.index, found.back())) continue;
             found.pop_back();
           }
           auto place = found.end();
-          while (place != found.begin() && nearer(squared, entry->index, *(place - 1))) --place;
-          found.insert(place, Neighbour{entry->index, squared});
+          while (place != found.begin() && nearer(next.squaredDistance, next.index, *(place - 1))) --place;
+          found.insert(place, next);
           if (found.size() == wanted) farthest = found.back().squaredDistance;
         }
       });
   return found;
+}
+
+std::vector<int> KdTree::inSpaceOrder() const {
+  std::vector<int> ids;
+  ids.reserve(static_cast<std::size_t>(size_));
+  if (tree_)
+    for (const Leaf& leaf : tree_->leaves)
+      ids.insert(ids.end(), leaf.index.begin(), leaf.index.begin() + leaf.count);
+  return ids;
 }
 
 std::vector<int> KdTree::within(const Vector3d& query, double radius) const {
@@ -223,9 +282,10 @@ std::vector<int> KdTree::within(const Vector3d& query, double radius) const {
   const double bound = radius * radius;
   tree_->search(
       query, [&] { return bound; },
-      [&](const Entry* entry, const Entry* end) {
-        for (; entry != end; ++entry)
-          if (squaredDistance(query, {entry->x, entry->y, entry->z}) <= bound) found.push_back(entry->index);
+      [&](const Leaf& leaf) {
+        const Leaf::Row squared = leaf.squaredDistances(query);
+        for (int i = 0; i < leaf.count; ++i)
+          if (squared[i] <= bound) found.push_back(leaf.index[static_cast<std::size_t>(i)]);
       });
   std::sort(found.begin(), found.end());
   return found;

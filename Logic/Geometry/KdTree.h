@@ -35,6 +35,9 @@ class KdTree {
   [[nodiscard]] Neighbour nearest(const Vector3d& query, const Neighbour& guess) const;
   /// The k nearest, nearest first (ties by index); fewer if the tree is smaller.
   [[nodiscard]] std::vector<Neighbour> nearest(const Vector3d& query, int k) const;
+  /// Every index once; those that follow each other lie near each other. Asking a tree about places in such
+  /// an order finds in the cache what the last question left there.
+  [[nodiscard]] std::vector<int> inSpaceOrder() const;
   /// All points with distance <= radius, ascending by index.
   [[nodiscard]] std::vector<int> within(const Vector3d& query, double radius) const;
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <unordered_map>
 
 #include "Logic/Core/Median.h"
 #include "Logic/Core/Parallel.h"
@@ -95,11 +95,16 @@ class Fit {
 };
 
 void Fit::shareCells() {
-  std::map<std::array<int, 3>, int> numbers;
+  using Cell = std::array<int, 3>;
+  const auto hash = [](const Cell& cell) {
+    return static_cast<std::size_t>(cell[0]) * 73856093U ^ static_cast<std::size_t>(cell[1]) * 19349663U ^
+           static_cast<std::size_t>(cell[2]) * 83492791U;
+  };
+  std::unordered_map<Cell, int, decltype(hash)> numbers(scan_.labels.size(), hash);
   std::vector<int> counts;
   const Points places = inOwnAxes(scan_.points);
   for (Index i = 0; i < places.rows(); ++i) {
-    std::array<int, 3> cell{};
+    Cell cell{};
     for (int a = 0; a < 3; ++a)
       cell[static_cast<std::size_t>(a)] = static_cast<int>(std::floor(places(i, a) / settings_.cellMm));
     const int number = numbers.try_emplace(cell, static_cast<int>(numbers.size())).first->second;

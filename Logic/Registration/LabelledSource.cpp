@@ -1,7 +1,9 @@
 #include "Logic/Registration/LabelledSource.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 #include "Logic/Geometry/Sampling.h"
@@ -34,13 +36,36 @@ LabelledSource subsetOf(const LabelledSource& source, const std::vector<int>& id
   return part;
 }
 
+std::map<int, Vector3d> centroidsByLabel(const Points& points, const std::vector<int>& labels) {
+  std::map<int, std::pair<Vector3d, double>> sums;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] <= 0) continue;
+    auto& [sum, count] = sums.try_emplace(labels[i], Vector3d::Zero(), 0.0).first->second;
+    sum += points.row(static_cast<Index>(i)).transpose();
+    count += 1;
+  }
+  std::map<int, Vector3d> centroids;
+  for (const auto& [label, sum] : sums) centroids[label] = sum.first / sum.second;
+  return centroids;
+}
+
 std::vector<int> randomRows(Index rows, Index count) {
   std::vector<int> ids(static_cast<std::size_t>(rows));
   std::iota(ids.begin(), ids.end(), 0);
   if (rows <= count) return ids;
+  // The `count` smallest keys are wanted; of keys spread evenly nearly surely all lie below this one.
+  const double share = static_cast<double>(count) / static_cast<double>(rows);
+  const double enough = share + 8 * std::sqrt(share / static_cast<double>(rows));
   std::vector<std::pair<std::uint64_t, int>> drawn;
-  drawn.reserve(ids.size());
-  for (const int i : ids) drawn.emplace_back(scrambled(static_cast<std::uint64_t>(i)), i);
+  for (const double part : {enough, 1.0}) {
+    const auto largest = part < 1 ? static_cast<std::uint64_t>(std::ldexp(part, 64))
+                                  : std::numeric_limits<std::uint64_t>::max();
+    drawn.clear();
+    for (const int i : ids)
+      if (const std::uint64_t key = scrambled(static_cast<std::uint64_t>(i)); key <= largest)
+        drawn.emplace_back(key, i);
+    if (static_cast<Index>(drawn.size()) >= count) break;
+  }
   std::nth_element(drawn.begin(), drawn.begin() + count, drawn.end());
   ids.clear();
   for (Index k = 0; k < count; ++k) ids.push_back(drawn[static_cast<std::size_t>(k)].second);

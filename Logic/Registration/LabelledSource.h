@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <vector>
 
 #include "Logic/Core/Types.h"
@@ -13,6 +14,9 @@ struct LabelledSource {
 
 /// Rows `ids` of `source`.
 [[nodiscard]] LabelledSource subsetOf(const LabelledSource& source, const std::vector<int>& ids);
+
+/// The mean place of each label above 0, mm. `labels`: one a point, or none at all.
+[[nodiscard]] std::map<int, Vector3d> centroidsByLabel(const Points& points, const std::vector<int>& labels);
 
 /// `count` rows out of `rows` that are spread at random, the same at every call; all if there are fewer.
 [[nodiscard]] std::vector<int> randomRows(Index rows, Index count);

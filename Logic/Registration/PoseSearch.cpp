@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "Logic/Core/Parallel.h"
@@ -28,20 +27,6 @@ ScanSample subsetOf(const ScanSample& sample, const std::vector<int>& rows) {
   ScanSample part{rowsOf(sample.points, rows), rowsOf(sample.normals, rows), {}, sample.outward};
   for (const int i : rows) part.labels.push_back(sample.labels[static_cast<std::size_t>(i)]);
   return part;
-}
-
-std::map<int, Vector3d> centroidsByLabel(const Points& points, const std::function<int(Index)>& labelOf) {
-  std::map<int, std::pair<Vector3d, double>> sums;
-  for (Index i = 0; i < points.rows(); ++i) {
-    const int label = labelOf(i);
-    if (label <= 0) continue;
-    auto& [sum, count] = sums.try_emplace(label, Vector3d::Zero(), 0.0).first->second;
-    sum += points.row(i).transpose();
-    count += 1;
-  }
-  std::map<int, Vector3d> centroids;
-  for (const auto& [label, sum] : sums) centroids[label] = sum.first / sum.second;
-  return centroids;
 }
 
 void sortByScore(std::vector<StartPose>& poses) {
@@ -106,16 +91,11 @@ void keepDistinct(std::vector<StartPose>& poses, const Points& corners, std::siz
 std::vector<StartPose> startsFromPatches(const PreparedPreop& preop, const ScanSample& sample,
                                          const Progress& progress) {
   // The mean of the labels' centroids: each patch counts alike, however densely it is sampled.
-  const auto on =
-      centroidsByLabel(sample.points, [&](Index i) { return sample.labels[static_cast<std::size_t>(i)]; });
-  const auto target = centroidsByLabel(preop.surface().points, [&](Index i) {
-    const int label = preop.surface().patchAt(i);
-    return on.contains(label) ? label : 0;
-  });
+  const auto on = centroidsByLabel(sample.points, sample.labels);
   Vector3d from = Vector3d::Zero(), to = Vector3d::Zero();
   for (const auto& [label, centroid] : on) {
     from += centroid / static_cast<double>(on.size());
-    to += target.at(label) / static_cast<double>(on.size());
+    to += preop.labelCentroids().at(label) / static_cast<double>(on.size());
   }
   std::vector<StartPose> poses;
   for (const Matrix3d& rotation : rotationGrid(kPatchRotations)) poses.push_back(poseOf(rotation, from, to));

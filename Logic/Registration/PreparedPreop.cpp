@@ -25,6 +25,10 @@ const Surface& checked(const Surface& preop) {
 PreparedPreop::PreparedPreop(const Surface& preop) : surface_(checked(preop)), modes_(preop) {
   normals_ = vertexNormals(preop);
   areas_ = vertexAreas(preop);
+  labelCentroids_ = centroidsByLabel(preop.points, preop.patch);
+  packedPoints_ = preop.points;
+  packedNormals_ = normals_;
+  packedTriangles_ = preop.triangles;
   trianglesAround_ = trianglesOfVertices(preop.triangles, preop.size());
   sample_ = randomRows(preop.size(), kSample);
   coarse_ = CoarseTarget(preop, normals_);
@@ -40,10 +44,9 @@ struct PreparedPreop::Hit {
 };
 
 PreparedPreop::Hit PreparedPreop::hitOn(int triangle, const Vector3d& query) const {
-  const Points& points = surface_.points;
-  const auto ids = surface_.triangles.row(triangle);
-  const Corners corners{points.row(ids[0]).transpose(), points.row(ids[1]).transpose(),
-                        points.row(ids[2]).transpose()};
+  const auto ids = packedTriangles_.row(triangle);
+  const Corners corners{packedPoints_.row(ids[0]).transpose(), packedPoints_.row(ids[1]).transpose(),
+                        packedPoints_.row(ids[2]).transpose()};
   PlaceOnTriangle found = detail::closestByRegions(query, corners);
   // Cheaper than to ask every triangle whether it is a sliver; false for NaN.
   if (!(found.barycentric.minCoeff() > -1e-9)) found = detail::closestOnSliver(query, corners);
@@ -52,7 +55,7 @@ PreparedPreop::Hit PreparedPreop::hitOn(int triangle, const Vector3d& query) con
 
 PreparedPreop::Hit PreparedPreop::hitAround(int near, const Vector3d& query) const {
   Hit hit;
-  hit.point = surface_.points.row(near).transpose();
+  hit.point = packedPoints_.row(near).transpose();
   hit.squaredDistance = (query - hit.point).squaredNorm();
   for (const int* t = trianglesAround_.begin(near); t != trianglesAround_.end(near); ++t) {
     const Hit found = hitOn(*t, query);
@@ -64,14 +67,14 @@ PreparedPreop::Hit PreparedPreop::hitAround(int near, const Vector3d& query) con
 int PreparedPreop::cornerAt(const Hit& hit) const {
   Index corner = 0;
   hit.barycentric.maxCoeff(&corner);
-  return surface_.triangles(hit.triangle, corner);
+  return packedTriangles_(hit.triangle, corner);
 }
 
 PreparedPreop::Place PreparedPreop::placeOf(const Hit& hit, int near) const {
-  if (hit.triangle < 0) return {hit.point, normals_.row(near).transpose(), -1};
+  if (hit.triangle < 0) return {hit.point, packedNormals_.row(near).transpose(), -1};
   Vector3d normal = Vector3d::Zero();
   for (int k = 0; k < 3; ++k)
-    normal += hit.barycentric[k] * normals_.row(surface_.triangles(hit.triangle, k)).transpose();
+    normal += hit.barycentric[k] * packedNormals_.row(packedTriangles_(hit.triangle, k)).transpose();
   return {hit.point, normal.normalized(), hit.triangle};
 }
 

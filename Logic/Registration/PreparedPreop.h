@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <memory>
 
 #include "Logic/Core/Surface.h"
@@ -23,6 +24,8 @@ class PreparedPreop {
   [[nodiscard]] const Points& normals() const { return normals_; }
   /// N values, mm^2; ones for a cloud.
   [[nodiscard]] const VectorXd& areas() const { return areas_; }
+  /// By label, mm.
+  [[nodiscard]] const std::map<int, Vector3d>& labelCentroids() const { return labelCentroids_; }
 
   [[nodiscard]] const ElasticModes& modes() const { return modes_; }
   /// A place of the surface and the normal there, as smooth as the points' normals make it.
@@ -51,6 +54,12 @@ class PreparedPreop {
   Surface surface_;
   Points normals_;
   VectorXd areas_;
+  std::map<int, Vector3d> labelCentroids_;
+  // Points, normals and triangles again, each whole in one place: a nearest place reads a few, far apart.
+  template <class Scalar>
+  using Packed = Eigen::Matrix<Scalar, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  Packed<double> packedPoints_, packedNormals_;
+  Packed<int> packedTriangles_;
   Adjacency trianglesAround_;
   ElasticModes modes_;
   std::vector<int> sample_;

@@ -29,17 +29,22 @@ struct Residual {
   int label = 0;  ///< of the nearest pre-op point
 };
 
-std::vector<Residual> residualsOf(const PreparedPreop& preop, const Surface& scan, const Points& moved) {
+std::vector<Residual> residualsOf(const PreparedPreop& preop, const Surface& scan, const KdTree& scanTree,
+                                  const Isometry3d& preopFromScan) {
   const LabelledTarget& target = preop.target();
-  std::vector<Residual> residuals(static_cast<std::size_t>(moved.rows()));
-  forEachChunk(residuals.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vector3d place = moved.row(static_cast<Index>(i)).transpose();
-      const Neighbour near = target.closest(place, 0, 1, preop.coarse().rowNear(place.cast<float>()));
-      Residual& r = residuals[i];
+  const std::vector<int> order = scanTree.inSpaceOrder();
+  std::vector<Residual> residuals(order.size());
+  forEachChunk(order.size(), 256, [&](std::size_t begin, std::size_t end) {
+    int guess = -1;
+    for (std::size_t k = begin; k < end; ++k) {
+      const int i = order[k], label = scan.patchAt(i);
+      const Vector3d place = preopFromScan * scan.points.row(i).transpose();
+      if (guess < 0) guess = preop.coarse().rowNear(place.cast<float>());
+      const Neighbour near = target.closest(place, 0, 1, guess);
+      guess = near.index;  // the next point is not far
+      Residual& r = residuals[static_cast<std::size_t>(i)];
       r.squared = near.squaredDistance;
       r.label = target.labelOf(near.index);
-      const int label = scan.patchAt(static_cast<Index>(i));
       if (label > 0 && target.has(label))
         r.own = r.label == label ? r.squared : target.closestOfLabel(place, label).squaredDistance;
     }
@@ -76,8 +81,7 @@ std::string mm(double value) {
 void fillFigures(RegistrationResult& result, const PreparedPreop& preop, const Surface& scan,
                  const KdTree& scanTree, const LabelledSource& source, const RegistrationSettings& settings,
                  const Isometry3d& scanFromPreopStart) {
-  const std::vector<Residual> residuals =
-      residualsOf(preop, scan, transformed(scan.points, result.scanFromPreop.inverse()));
+  const std::vector<Residual> residuals = residualsOf(preop, scan, scanTree, result.scanFromPreop.inverse());
   const double lastWeight = result.history.empty() ? 1 : result.history.back().patchWeight;
   const double ratio = settings.correspondenceWeight * settings.correspondenceWeight;
   double squared = 0, weighted = 0, weights = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "Logic/Core/Median.h"
 #include "Logic/Core/Parallel.h"
@@ -34,29 +35,39 @@ Vector3d normalAt(const Points& points, const KdTree& tree, int row) {
   return eigen.eigenvectors().col(0);
 }
 
-/// Hands one side from point to point along the tree of smallest bends (Hoppe 1992, by Prim).
-void orientAlike(const Points& points, Points& normals) {
-  const auto n = static_cast<std::size_t>(points.rows());
-  std::vector<double> cost(n, std::numeric_limits<double>::infinity());
-  std::vector<int> from(n, -1);
-  std::vector<char> done(n, 0);
-  cost[0] = 0;
-  for (std::size_t step = 0; step < n; ++step) {
-    std::size_t next = n;
-    for (std::size_t i = 0; i < n; ++i)
-      if (!done[i] && (next == n || cost[i] < cost[next])) next = i;
-    done[next] = 1;
-    const auto here = static_cast<Index>(next);
-    if (from[next] >= 0 && normals.row(here).dot(normals.row(from[next])) < 0) normals.row(here) *= -1;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (done[i]) continue;
-      const auto other = static_cast<Index>(i);
-      const double bend = 1 - std::abs(normals.row(here).dot(normals.row(other)));
-      const double far = (points.row(here) - points.row(other)).squaredNorm();
+/// Hands one side from point to point along the tree of smallest bends (Hoppe 1992, by Prim, who adds the
+/// point that is cheapest to reach; of equals the first).
+void orientAlike(Points& normals, const Points& points) {
+  struct Reached {
+    Vector3d point, normal;
+    double cost = std::numeric_limits<double>::infinity();
+    int from = -1;
+  };
+  std::vector<Reached> all;
+  for (Index i = 0; i < points.rows(); ++i)
+    all.push_back({points.row(i).transpose(), normals.row(i).transpose()});
+  std::vector<int> open(all.size());  // not yet in the tree, in order
+  std::iota(open.begin(), open.end(), 0);
+  std::size_t next = 0;
+  while (!open.empty()) {
+    const int row = open[next];
+    open.erase(open.begin() + static_cast<std::ptrdiff_t>(next));
+    Reached& here = all[static_cast<std::size_t>(row)];
+    if (here.from >= 0 && here.normal.dot(all[static_cast<std::size_t>(here.from)].normal) < 0)
+      here.normal *= -1;
+    double least = std::numeric_limits<double>::infinity();
+    next = 0;
+    for (std::size_t k = 0; k < open.size(); ++k) {
+      Reached& other = all[static_cast<std::size_t>(open[k])];
+      const double bend = 1 - std::abs(here.normal.dot(other.normal));
+      const double far = (here.point - other.point).squaredNorm();
       const double price = bend + far / (kNeighbourhoodMm * kNeighbourhoodMm) * 4;
-      if (price < cost[i]) cost[i] = price, from[i] = static_cast<int>(next);
+      if (price < other.cost) other.cost = price, other.from = row;
+      if (other.cost < least) least = other.cost, next = k;
     }
   }
+  for (Index i = 0; i < normals.rows(); ++i)
+    normals.row(i) = all[static_cast<std::size_t>(i)].normal.transpose();
 }
 
 }  // namespace
@@ -80,7 +91,11 @@ std::vector<int> withoutStragglers(const Points& points, const KdTree& tree, con
 
 ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index others, Index perLabel) {
   std::map<int, std::vector<int>> byLabel;
-  for (std::size_t i = 0; i < scan.labels.size(); ++i) byLabel[scan.labels[i]].push_back(static_cast<int>(i));
+  std::vector<int>* last = nullptr;  // neighbours in the list mostly bear one label
+  for (std::size_t i = 0; i < scan.labels.size(); ++i) {
+    if (i == 0 || scan.labels[i] != scan.labels[i - 1]) last = &byLabel[scan.labels[i]];
+    last->push_back(static_cast<int>(i));
+  }
   std::vector<int> rows;
   for (const auto& [label, ids] : byLabel)
     for (const int k : randomRows(static_cast<Index>(ids.size()), label > 0 ? perLabel : others))
@@ -95,7 +110,7 @@ ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index othe
       sample.normals.row(static_cast<Index>(i)) = normalAt(scan.points, tree, rows[i]);
   });
   for (const int i : rows) sample.labels.push_back(scan.labels[static_cast<std::size_t>(i)]);
-  orientAlike(sample.points, sample.normals);
+  orientAlike(sample.normals, sample.points);
   const Points about = sample.points.rowwise() - sample.points.colwise().mean();
   const Points turned = sample.normals.rowwise() - sample.normals.colwise().mean();
   const double bulge = about.cwiseProduct(turned).sum(), size = about.norm() * turned.norm();

@@ -56,9 +56,9 @@ void checkInput(const PreparedPreop& preop, const Surface& scan, const Registrat
 /// The scan's points; a label that is not in use counts as none.
 LabelledSource sourceOf(const Surface& scan, const std::vector<int>& labels) {
   LabelledSource source{scan.points, std::vector<int>(static_cast<std::size_t>(scan.size()), 0)};
-  for (Index i = 0; i < scan.size(); ++i)
-    if (std::binary_search(labels.begin(), labels.end(), scan.patchAt(i)))
-      source.labels[static_cast<std::size_t>(i)] = scan.patchAt(i);
+  for (std::size_t i = 0; i < scan.patch.size(); ++i)
+    if (scan.patch[i] > 0 && std::binary_search(labels.begin(), labels.end(), scan.patch[i]))
+      source.labels[i] = scan.patch[i];
   return source;
 }
 
@@ -72,16 +72,20 @@ struct Task {
   const Progress& progress;
   const IterationObserver& observer;
   bool elastic = false;
-  std::vector<int> clean{};  ///< rows of the scan that the elastic fits may use
+  std::vector<int> clean{};       ///< rows of the scan that the elastic fits may use
+  std::vector<int> spaceOrder{};  ///< of all rows
 
   [[nodiscard]] bool painted() const {
     return std::any_of(source.labels.begin(), source.labels.end(), [](int label) { return label > 0; });
   }
   /// `count` points at random, without stragglers.
   [[nodiscard]] LabelledSource part(Index count) const {
-    std::vector<int> rows;
+    std::vector<char> drawn(source.labels.size(), 0);
     for (const int i : randomRows(static_cast<Index>(clean.size()), count))
-      rows.push_back(clean[static_cast<std::size_t>(i)]);
+      drawn[static_cast<std::size_t>(clean[static_cast<std::size_t>(i)])] = 1;
+    std::vector<int> rows;
+    for (const int row : spaceOrder)
+      if (drawn[static_cast<std::size_t>(row)]) rows.push_back(row);
     return subsetOf(source, rows);
   }
 };
@@ -168,8 +172,10 @@ RegistrationResult registerSurfaces(const PreparedPreop& preop, const Surface& s
   const bool mesh = preop.surface().triangles.rows() > 0;
   task.elastic = settings.finish == RegistrationFinish::Elastic && mesh &&
                  settings.method != RegistrationMethod::Icp && !isOtherMethod(settings.method);
-  if (task.elastic)
+  if (task.elastic) {
     task.clean = withoutStragglers(scan.points, task.scanTree, randomRows(scan.size(), kFinishPoints));
+    task.spaceOrder = task.scanTree.inSpaceOrder();
+  }
   const bool bare = task.elastic && !task.painted() && settings.start == RegistrationStart::Patches;
   const bool global = mesh && (settings.method == RegistrationMethod::Auto || bare ||
                                (settings.start == RegistrationStart::Patches && task.painted()));
