@@ -4,6 +4,7 @@
 
 #include <flann/flann.hpp>
 #include <random>
+#include <set>
 
 namespace falciform {
 namespace {
@@ -110,6 +111,23 @@ TEST(KdTree, KNearestAndRadiusEqualBruteForce) {
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i].index, all[i].second) << i;
   }
   EXPECT_EQ(tree.nearest(Vector3d(0, 0, 0), 1000).size(), 343u);
+}
+
+TEST(KdTree, SpaceOrderNamesEveryPointOnceAndNeighboursTogether) {
+  for (const int count : {1, 8, 9, 17, 5000}) {
+    const Points points = uniform(count, 6);
+    const std::vector<int> order = KdTree(points).inSpaceOrder();
+    EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), static_cast<std::size_t>(count));
+    ASSERT_EQ(order.size(), static_cast<std::size_t>(count));
+    if (count < 100) continue;
+    double together = 0, listed = 0;
+    for (std::size_t k = 1; k < order.size(); ++k) {
+      together += (points.row(order[k]) - points.row(order[k - 1])).norm();
+      listed += (points.row(static_cast<Index>(k)) - points.row(static_cast<Index>(k) - 1)).norm();
+    }
+    EXPECT_LT(together, 0.25 * listed);
+  }
+  EXPECT_TRUE(KdTree().inSpaceOrder().empty());
 }
 
 TEST(KdTree, AnEmptyTreeFindsNothing) {
