@@ -129,7 +129,7 @@ void printTable(const std::vector<test::UpdateCase>& cases) {
       if (warped) rigidPart += cell(rigidParts);
     }
     if (name == "icp") icpSeconds = seconds;
-    std::printf(std::isnan(icpSeconds) ? "%s |\n" : "%s %.1f |\n", whole.c_str(), seconds / icpSeconds);
+    std::printf(std::isnan(icpSeconds) ? "%s |\n" : "%s %.2f |\n", whole.c_str(), seconds / icpSeconds);
     if (warped) std::printf("%s |\n", rigidPart.c_str());
     std::fflush(stdout);
   }
