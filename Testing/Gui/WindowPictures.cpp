@@ -341,7 +341,8 @@ int main(int argc, char** argv) {
     window.showModule(module.key);
     QTest::qWait(300);
     const QString name = module.key;
-    if (name == "SegmentationImport" && bench.document.ct() && !bench.document.labels())
+    const bool ctAlone = bench.document.ct() && !bench.document.labels() && !bench.document.preop();
+    if (name == "SegmentationImport" && ctAlone)
       importPictures(window, bench, save,
                      [&](const QString& picture) { window.grab().save(folder + "/" + picture + ".png"); });
     if (name == "SegmentationImport" && bench.document.labels()) {
