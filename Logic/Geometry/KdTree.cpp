@@ -1,9 +1,9 @@
 #include "Logic/Geometry/KdTree.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <tuple>
 
 #include "Logic/Core/Parallel.h"
 
@@ -23,28 +23,8 @@ struct Node {
 };
 
 struct Entry {
-  std::array<double, 3> at{};
+  Vector3d at;
   int index = 0;
-};
-
-struct Box {
-  std::array<double, 3> low, high;
-  Box() {
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
-  }
-  void add(const Entry& entry) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      low[a] = std::min(low[a], entry.at[a]);
-      high[a] = std::max(high[a], entry.at[a]);
-    }
-  }
-  [[nodiscard]] std::size_t longest() const {
-    std::size_t axis = 0;
-    for (std::size_t a = 1; a < 3; ++a)
-      if (high[a] - low[a] > high[axis] - low[axis]) axis = a;
-    return axis;
-  }
 };
 
 bool nearer(double squared, int index, const Neighbour& than) {
@@ -76,9 +56,9 @@ Leaf leafOf(const Entry* begin, const Entry* end) {
   Leaf leaf;
   leaf.x = leaf.y = leaf.z = Leaf::Row::Constant(std::numeric_limits<double>::infinity());
   for (; begin != end; ++begin, ++leaf.count) {
-    leaf.x[leaf.count] = begin->at[0];
-    leaf.y[leaf.count] = begin->at[1];
-    leaf.z[leaf.count] = begin->at[2];
+    leaf.x[leaf.count] = begin->at.x();
+    leaf.y[leaf.count] = begin->at.y();
+    leaf.z[leaf.count] = begin->at.z();
     leaf.index[static_cast<std::size_t>(leaf.count)] = begin->index;
   }
   return leaf;
@@ -87,6 +67,7 @@ Leaf leafOf(const Entry* begin, const Entry* end) {
 }  // namespace
 
 struct KdTree::Tree {
+  using Box = Eigen::AlignedBox3d;
   std::vector<Entry> entries;  // while it is built; a leaf's node then names its range by `left` and `right`
   std::vector<Node> nodes;
   std::vector<Leaf> leaves;
@@ -94,69 +75,77 @@ struct KdTree::Tree {
 
   [[nodiscard]] Box boxOf(int begin, int end) const {
     Box around;
-    for (int i = begin; i < end; ++i) around.add(entries[static_cast<std::size_t>(i)]);
+    for (int i = begin; i < end; ++i) around.extend(entries[static_cast<std::size_t>(i)].at);
     return around;
   }
 
-  /// Sorts the entries [begin, end) into halves along an axis, the left one of whole leaves; returns where
-  /// the right one begins.
-  int cut(int begin, int end, std::size_t axis) {
+  /// Sorts the entries [begin, end) into halves along the box's longest side, which it returns: the left
+  /// half, up to `middle`, is one of whole leaves.
+  int cut(int begin, int end, const Box& around, int& middle) {
+    Index axis = 0;
+    around.sizes().maxCoeff(&axis);
     const int wanted = (end - begin + kLeafSize - 1) / kLeafSize;
-    const int middle = begin + (wanted + 1) / 2 * kLeafSize;
+    middle = begin + (wanted + 1) / 2 * kLeafSize;
     std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
                      [axis](const Entry& a, const Entry& b) { return a.at[axis] < b.at[axis]; });
-    return middle;
+    return static_cast<int>(axis);
   }
 
-  /// Appends the nodes over [begin, end), parents first.
+  /// Appends the nodes over [begin, end), parents first; returns their box.
   Box append(std::vector<Node>& built, int begin, int end) {
     const std::size_t id = built.size();
     built.push_back({.left = begin, .right = end, .axis = -1});
     const Box around = boxOf(begin, end);
     if (end - begin <= kLeafSize) return around;
     Node node;
-    const std::size_t axis = around.longest();
-    const int middle = cut(begin, end, axis);
-    node.axis = static_cast<int>(axis);
+    int middle = 0;
+    node.axis = cut(begin, end, around, middle);
     node.left = static_cast<int>(built.size());
-    node.lower = append(built, begin, middle).high[axis];
+    node.lower = append(built, begin, middle).max()[node.axis];
     node.right = static_cast<int>(built.size());
-    node.upper = append(built, middle, end).low[axis];
+    node.upper = append(built, middle, end).min()[node.axis];
     built[id] = node;
     return around;
   }
 
-  /// The nodes over [begin, end), parents first, children numbered from the first of these. The halves of the
-  /// upper `forks` levels are built beside each other: the tree is the same either way.
-  std::pair<std::vector<Node>, Box> build(int begin, int end, int forks) {
-    std::vector<Node> built;
+  /// Nodes over a range, parents first, children numbered from the first of these.
+  struct Part {
+    std::vector<Node> nodes;
+    Box box;
+  };
+
+  /// The halves of the upper `forks` levels are built beside each other: the tree is the same either way.
+  Part build(int begin, int end, int forks) {
+    Part part;
     if (forks == 0 || end - begin <= kForkSize) {
-      const Box around = append(built, begin, end);
-      return {std::move(built), around};
+      part.box = append(part.nodes, begin, end);
+      return part;
     }
-    const Box around = boxOf(begin, end);
-    const std::size_t axis = around.longest();
-    const int middle = cut(begin, end, axis);
-    std::array<std::pair<std::vector<Node>, Box>, 2> halves;
+    part.box = boxOf(begin, end);
+    int middle = 0;
+    Node root;
+    root.axis = cut(begin, end, part.box, middle);
+    Part left, right;
     forEachChunk(2, 1, [&](std::size_t h, std::size_t) {
-      halves[h] = h == 0 ? build(begin, middle, forks - 1) : build(middle, end, forks - 1);
+      (h == 0 ? left : right) = h == 0 ? build(begin, middle, forks - 1) : build(middle, end, forks - 1);
     });
-    Node root{.lower = halves[0].second.high[axis],
-              .upper = halves[1].second.low[axis],
-              .left = 1,
-              .right = 1 + static_cast<int>(halves[0].first.size()),
-              .axis = static_cast<int>(axis)};
-    built.push_back(root);
-    for (const int child : {root.left, root.right})
-      for (Node node : halves[child == root.left ? 0 : 1].first) {
-        if (node.axis >= 0) node.left += child, node.right += child;
-        built.push_back(node);
+    root.lower = left.box.max()[root.axis];
+    root.upper = right.box.min()[root.axis];
+    root.left = 1;
+    root.right = 1 + static_cast<int>(left.nodes.size());
+    part.nodes.push_back(root);
+    for (const auto& [half, first] : {std::pair(&left, root.left), std::pair(&right, root.right)})
+      for (Node node : half->nodes) {
+        if (node.axis >= 0) node.left += first, node.right += first;
+        part.nodes.push_back(node);
       }
-    return {std::move(built), around};
+    return part;
   }
 
   void plant() {
-    std::tie(nodes, box) = build(0, static_cast<int>(entries.size()), kForks);
+    Part whole = build(0, static_cast<int>(entries.size()), kForks);
+    nodes = std::move(whole.nodes);
+    box = whole.box;
     std::vector<int> ends;
     for (int id = 0; id < static_cast<int>(nodes.size()); ++id)
       if (nodes[static_cast<std::size_t>(id)].axis < 0) ends.push_back(id);
@@ -200,9 +189,9 @@ struct KdTree::Tree {
   void search(const Vector3d& q, const Bound& bound, const Visit& leaf) const {
     const std::array<double, 3> query{q.x(), q.y(), q.z()};
     std::array<double, 3> gaps{};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const double gap = std::max({box.low[a] - query[a], query[a] - box.high[a], 0.0});
-      gaps[a] = gap * gap;
+    for (int a = 0; a < 3; ++a) {
+      const double gap = std::max({box.min()[a] - q[a], q[a] - box.max()[a], 0.0});
+      gaps[static_cast<std::size_t>(a)] = gap * gap;
     }
     if (gaps[0] + gaps[1] + gaps[2] <= bound()) visit(0, query, gaps, bound, leaf);
   }
@@ -217,7 +206,7 @@ KdTree::KdTree(const Points& points, const std::vector<int>& ids) : size_(static
   if (ids.empty()) return;
   auto tree = std::make_shared<Tree>();
   tree->entries.reserve(ids.size());
-  for (const int i : ids) tree->entries.push_back({{points(i, 0), points(i, 1), points(i, 2)}, i});
+  for (const int i : ids) tree->entries.push_back({points.row(i).transpose(), i});
   tree->plant();
   tree_ = std::move(tree);
 }

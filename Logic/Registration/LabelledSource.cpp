@@ -1,9 +1,7 @@
 #include "Logic/Registration/LabelledSource.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 
 #include "Logic/Geometry/Sampling.h"
@@ -53,19 +51,9 @@ std::vector<int> randomRows(Index rows, Index count) {
   std::vector<int> ids(static_cast<std::size_t>(rows));
   std::iota(ids.begin(), ids.end(), 0);
   if (rows <= count) return ids;
-  // The `count` smallest keys are wanted; of keys spread evenly nearly surely all lie below this one.
-  const double share = static_cast<double>(count) / static_cast<double>(rows);
-  const double enough = share + 8 * std::sqrt(share / static_cast<double>(rows));
   std::vector<std::pair<std::uint64_t, int>> drawn;
-  for (const double part : {enough, 1.0}) {
-    const auto largest = part < 1 ? static_cast<std::uint64_t>(std::ldexp(part, 64))
-                                  : std::numeric_limits<std::uint64_t>::max();
-    drawn.clear();
-    for (const int i : ids)
-      if (const std::uint64_t key = scrambled(static_cast<std::uint64_t>(i)); key <= largest)
-        drawn.emplace_back(key, i);
-    if (static_cast<Index>(drawn.size()) >= count) break;
-  }
+  drawn.reserve(ids.size());
+  for (const int i : ids) drawn.emplace_back(scrambled(static_cast<std::uint64_t>(i)), i);
   std::nth_element(drawn.begin(), drawn.begin() + count, drawn.end());
   ids.clear();
   for (Index k = 0; k < count; ++k) ids.push_back(drawn[static_cast<std::size_t>(k)].second);

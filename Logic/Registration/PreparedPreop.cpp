@@ -29,6 +29,11 @@ PreparedPreop::PreparedPreop(const Surface& preop) : surface_(checked(preop)), m
   packedPoints_ = preop.points;
   packedNormals_ = normals_;
   packedTriangles_ = preop.triangles;
+  for (Index t = 0; t < preop.triangles.rows(); ++t) {
+    const auto ids = packedTriangles_.row(t);
+    slivers_.push_back(isSliver(packedPoints_.row(ids[0]).transpose(), packedPoints_.row(ids[1]).transpose(),
+                                packedPoints_.row(ids[2]).transpose()));
+  }
   trianglesAround_ = trianglesOfVertices(preop.triangles, preop.size());
   sample_ = randomRows(preop.size(), kSample);
   coarse_ = CoarseTarget(preop, normals_);
@@ -46,10 +51,9 @@ struct PreparedPreop::Hit {
 PreparedPreop::Hit PreparedPreop::hitOn(int triangle, const Vector3d& query) const {
   const auto ids = packedTriangles_.row(triangle);
   const Corners corners{packedPoints_.row(ids[0]).transpose(), packedPoints_.row(ids[1]).transpose(),
-                        packedPoints_.row(ids[2]).transpose()};
-  PlaceOnTriangle found = detail::closestByRegions(query, corners);
-  // Cheaper than to ask every triangle whether it is a sliver; false for NaN.
-  if (!(found.barycentric.minCoeff() > -1e-9)) found = detail::closestOnSliver(query, corners);
+                        packedPoints_.row(ids[2]).transpose(),
+                        slivers_[static_cast<std::size_t>(triangle)] != 0};
+  const PlaceOnTriangle found = closestPlace(query, corners);
   return {triangle, found.part == TrianglePart::Face, found.squaredDistance, found.point, found.barycentric};
 }
 

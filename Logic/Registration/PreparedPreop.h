@@ -60,6 +60,7 @@ class PreparedPreop {
   using Packed = Eigen::Matrix<Scalar, Eigen::Dynamic, 3, Eigen::RowMajor>;
   Packed<double> packedPoints_, packedNormals_;
   Packed<int> packedTriangles_;
+  std::vector<char> slivers_;  ///< of each triangle, whether it is one
   Adjacency trianglesAround_;
   ElasticModes modes_;
   std::vector<int> sample_;

@@ -37,7 +37,7 @@ Vector3d normalAt(const Points& points, const KdTree& tree, int row) {
 
 /// Hands one side from point to point along the tree of smallest bends (Hoppe 1992, by Prim, who adds the
 /// point that is cheapest to reach; of equals the first).
-void orientAlike(Points& normals, const Points& points) {
+void orientAlike(const Points& points, Points& normals) {
   struct Reached {
     Vector3d point, normal;
     double cost = std::numeric_limits<double>::infinity();
@@ -91,11 +91,7 @@ std::vector<int> withoutStragglers(const Points& points, const KdTree& tree, con
 
 ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index others, Index perLabel) {
   std::map<int, std::vector<int>> byLabel;
-  std::vector<int>* last = nullptr;  // neighbours in the list mostly bear one label
-  for (std::size_t i = 0; i < scan.labels.size(); ++i) {
-    if (i == 0 || scan.labels[i] != scan.labels[i - 1]) last = &byLabel[scan.labels[i]];
-    last->push_back(static_cast<int>(i));
-  }
+  for (std::size_t i = 0; i < scan.labels.size(); ++i) byLabel[scan.labels[i]].push_back(static_cast<int>(i));
   std::vector<int> rows;
   for (const auto& [label, ids] : byLabel)
     for (const int k : randomRows(static_cast<Index>(ids.size()), label > 0 ? perLabel : others))
@@ -110,7 +106,7 @@ ScanSample sampleScan(const LabelledSource& scan, const KdTree& tree, Index othe
       sample.normals.row(static_cast<Index>(i)) = normalAt(scan.points, tree, rows[i]);
   });
   for (const int i : rows) sample.labels.push_back(scan.labels[static_cast<std::size_t>(i)]);
-  orientAlike(sample.normals, sample.points);
+  orientAlike(sample.points, sample.normals);
   const Points about = sample.points.rowwise() - sample.points.colwise().mean();
   const Points turned = sample.normals.rowwise() - sample.normals.colwise().mean();
   const double bulge = about.cwiseProduct(turned).sum(), size = about.norm() * turned.norm();
